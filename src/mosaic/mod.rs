@@ -1,0 +1,5 @@
+//! What is seen: the Voronoi tessellation of the cells on the surface.
+
+mod sites;
+
+pub use sites::{SiteLists, Sites};

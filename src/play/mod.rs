@@ -1,0 +1,2 @@
+//! The playground without a browser: scene, link, camera, messages, and the brains of page and
+//! worker.

@@ -1,0 +1,115 @@
+//! A body: the patterned surface of a plant and the bare parts that stand beside it.
+
+use super::{Mesh, PolygonMesh};
+use glam::{Vec2, Vec3};
+
+/// What a plant is made of.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// The surface that carries cells.
+    pub surface: Mesh,
+    /// Parts without cells: petioles, spines, soil.
+    pub ornaments: Vec<Ornament>,
+}
+
+/// A part without cells, drawn in the plain colour of its material.
+#[derive(Clone, Debug)]
+pub struct Ornament {
+    /// The name after `bare:`.
+    pub material: String,
+    pub positions: Vec<Vec3>,
+    pub normals: Vec<Vec3>,
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// Why polygons do not make a body.
+#[derive(Debug, thiserror::Error, PartialEq)]
+pub enum SurfaceError {
+    #[error("a face names vertex {vertex}, but there are only {count}")]
+    NoSuchVertex { vertex: u32, count: usize },
+    #[error("vertex {vertex} is not a finite number")]
+    NotFinite { vertex: usize },
+    #[error("the mesh has no surface: every triangle has an area of zero")]
+    NoArea,
+    #[error("the mesh has no part that carries cells: all materials are bare")]
+    AllBare,
+}
+
+impl Body {
+    /// Splits the polygons into the patterned surface and the bare parts, cuts them into triangles
+    /// and joins the triangles to their neighbours.
+    pub fn new(polygons: &PolygonMesh) -> Result<Body, SurfaceError> {
+        let count = polygons.positions.len();
+        if let Some(vertex) = polygons.positions.iter().position(|p| !p.is_finite()) {
+            return Err(SurfaceError::NotFinite { vertex });
+        }
+        let mut triangles = vec![Vec::new(); polygons.groups.len().max(1)];
+        for face in &polygons.faces {
+            if let Some(&vertex) = face.vertices.iter().find(|&&v| v as usize >= count) {
+                return Err(SurfaceError::NoSuchVertex { vertex, count });
+            }
+            triangulate(&polygons.positions, &face.vertices, &mut triangles[face.group as usize]);
+        }
+        let bare_name = |group: usize| {
+            polygons.groups.get(group).and_then(|g| g.material.strip_prefix("bare:"))
+        };
+        let mut patterned = Vec::new();
+        let mut ornaments = Vec::new();
+        for (group, corners) in triangles.into_iter().enumerate() {
+            match bare_name(group) {
+                None => patterned.extend(corners),
+                Some(material) => ornaments.push(ornament(material, polygons, &corners)),
+            }
+        }
+        if patterned.is_empty() && !ornaments.is_empty() {
+            return Err(SurfaceError::AllBare);
+        }
+        let (old, triangles) = compact(&patterned);
+        let positions = old.iter().map(|&v| polygons.positions[v as usize]).collect();
+        let uvs: Vec<Vec2> = if polygons.uvs.is_empty() {
+            Vec::new()
+        } else {
+            old.iter().map(|&v| polygons.uvs[v as usize]).collect()
+        };
+        Ok(Body { surface: Mesh::new(positions, uvs, triangles)?, ornaments })
+    }
+}
+
+/// Cuts a polygon into triangles. Quads are cut along their shorter diagonal, larger polygons as a
+/// fan from their first corner.
+fn triangulate(positions: &[Vec3], corners: &[u32], out: &mut Vec<[u32; 3]>) {
+    let at = |k: usize| positions[corners[k] as usize];
+    if corners.len() == 4 && at(1).distance_squared(at(3)) < at(0).distance_squared(at(2)) {
+        out.push([corners[0], corners[1], corners[3]]);
+        out.push([corners[1], corners[2], corners[3]]);
+        return;
+    }
+    for k in 2..corners.len() {
+        out.push([corners[0], corners[k - 1], corners[k]]);
+    }
+}
+
+fn ornament(material: &str, polygons: &PolygonMesh, corners: &[[u32; 3]]) -> Ornament {
+    let (old, triangles) = compact(corners);
+    let positions: Vec<Vec3> = old.iter().map(|&v| polygons.positions[v as usize]).collect();
+    let normals = super::mesh::vertex_normals(&positions, &triangles);
+    Ornament { material: material.to_string(), positions, normals, triangles }
+}
+
+/// Renumbers the vertices in the order of their first use; returns the old numbers as well.
+fn compact(triangles: &[[u32; 3]]) -> (Vec<u32>, Vec<[u32; 3]>) {
+    let mut new = std::collections::BTreeMap::new();
+    let mut old = Vec::new();
+    let renumbered = triangles
+        .iter()
+        .map(|t| {
+            t.map(|v| {
+                *new.entry(v).or_insert_with(|| {
+                    old.push(v);
+                    old.len() as u32 - 1
+                })
+            })
+        })
+        .collect();
+    (old, renumbered)
+}

@@ -1,0 +1,239 @@
+//! A triangle mesh with half-edges, and a flat frame on each of its triangles.
+
+use super::SurfaceError;
+use glam::{Vec2, Vec3};
+use std::collections::HashMap;
+
+/// Marks a half-edge on the rim of an open surface.
+pub const NO_TWIN: u32 = u32::MAX;
+
+/// A point on a mesh: a triangle and two of its barycentric coordinates, those of corners 1 and 2
+/// (the third is `1 - b1 - b2`). All three lie in `0..=1`.
+#[derive(Clone, Copy, Debug, PartialEq, Default, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct Place {
+    pub triangle: u32,
+    pub b1: f32,
+    pub b2: f32,
+}
+
+/// A triangle in its own plane: corner 0 at the origin, corner 1 at `(length, 0)`, corner 2 at
+/// `apex` with `apex.y > 0`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    pub length: f32,
+    pub apex: Vec2,
+}
+
+/// An oriented triangle mesh, open or closed, of one part or several.
+///
+/// Half-edge `3 * t + k` is the edge of triangle `t` opposite its corner `k`; it is where the
+/// barycentric coordinate `k` is 0.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    pub positions: Vec<Vec3>,
+    /// Smooth unit normals, one per position.
+    pub normals: Vec<Vec3>,
+    /// Texture coordinates, one per position, or none.
+    pub uvs: Vec<Vec2>,
+    pub triangles: Vec<[u32; 3]>,
+    /// For each half-edge the half-edge on its other side, or `NO_TWIN`.
+    pub twins: Vec<u32>,
+    /// Connected part of each triangle, from 0.
+    pub parts: Vec<u32>,
+    pub frames: Vec<Frame>,
+    /// For each half-edge the rotation `(cos, sin)` that takes a direction from this triangle's
+    /// frame to its neighbour's.
+    pub turns: Vec<Vec2>,
+    /// Areas of the triangles, and their sum.
+    pub areas: Vec<f32>,
+    pub area: f32,
+}
+
+impl Mesh {
+    /// Joins triangles to a mesh. Triangles without area are left out; edges that more than two
+    /// triangles share, or that two share without a common orientation, count as rims.
+    pub fn new(
+        positions: Vec<Vec3>,
+        uvs: Vec<Vec2>,
+        triangles: Vec<[u32; 3]>,
+    ) -> Result<Mesh, SurfaceError> {
+        let mut triangles: Vec<[u32; 3]> =
+            triangles.into_iter().filter(|t| has_area(&positions, t)).collect();
+        if triangles.is_empty() {
+            return Err(SurfaceError::NoArea);
+        }
+        let parts = orient(&mut triangles);
+        let twins = join(&triangles);
+        let frames: Vec<Frame> = triangles.iter().map(|t| frame(corners(&positions, t))).collect();
+        let turns = (0..twins.len()).map(|h| turn(&frames, &twins, h)).collect();
+        let areas: Vec<f32> = frames.iter().map(|f| 0.5 * f.length * f.apex.y).collect();
+        let area = areas.iter().map(|&a| f64::from(a)).sum::<f64>() as f32;
+        let normals = vertex_normals(&positions, &triangles);
+        Ok(Mesh { positions, normals, uvs, triangles, twins, parts, frames, turns, areas, area })
+    }
+
+    /// The corners of a triangle in space.
+    pub fn corners(&self, triangle: u32) -> [Vec3; 3] {
+        corners(&self.positions, &self.triangles[triangle as usize])
+    }
+
+    /// A place as a point in space.
+    pub fn point(&self, place: Place) -> Vec3 {
+        let [a, b, c] = self.corners(place.triangle);
+        a + (b - a) * place.b1 + (c - a) * place.b2
+    }
+
+    /// Number of connected parts.
+    pub fn part_count(&self) -> usize {
+        self.parts.iter().max().map_or(0, |&p| p as usize + 1)
+    }
+
+    /// Says what is wrong with the mesh, if anything: twins that do not point at each other, joined
+    /// edges of unlike length or orientation, frames without area.
+    pub fn check(&self) -> Result<(), String> {
+        for (h, &twin) in self.twins.iter().enumerate() {
+            if twin == NO_TWIN {
+                continue;
+            }
+            if self.twins[twin as usize] as usize != h {
+                return Err(format!("half-edge {h} and its twin {twin} disagree"));
+            }
+            let (from, to) = edge(&self.triangles, h);
+            if edge(&self.triangles, twin as usize) != (to, from) {
+                return Err(format!("half-edge {h} and its twin {twin} join other vertices"));
+            }
+            if self.parts[h / 3] != self.parts[twin as usize / 3] {
+                return Err(format!("half-edge {h} joins two parts"));
+            }
+        }
+        if let Some(t) = self.frames.iter().position(|f| !(f.length > 0.0 && f.apex.y > 0.0)) {
+            return Err(format!("triangle {t} has no area"));
+        }
+        Ok(())
+    }
+}
+
+impl Frame {
+    /// Barycentric coordinates `(b1, b2)` to a point in the plane.
+    pub fn point(&self, b1: f32, b2: f32) -> Vec2 {
+        Vec2::new(b1 * self.length + b2 * self.apex.x, b2 * self.apex.y)
+    }
+
+    /// A direction in the plane to changes of `(b1, b2)`.
+    pub fn barycentric(&self, direction: Vec2) -> Vec2 {
+        let b2 = direction.y / self.apex.y;
+        Vec2::new((direction.x - b2 * self.apex.x) / self.length, b2)
+    }
+
+    /// The corners in the plane.
+    pub fn corners(&self) -> [Vec2; 3] {
+        [Vec2::ZERO, Vec2::new(self.length, 0.0), self.apex]
+    }
+}
+
+/// Unit normals at the vertices: the mean of the triangles around, weighted by area.
+pub(super) fn vertex_normals(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<Vec3> {
+    let mut normals = vec![Vec3::ZERO; positions.len()];
+    for t in triangles {
+        let [a, b, c] = corners(positions, t);
+        let weighted = (b - a).cross(c - a);
+        for &v in t {
+            normals[v as usize] += weighted;
+        }
+    }
+    normals.into_iter().map(|n| n.normalize_or(Vec3::Y)).collect()
+}
+
+fn corners(positions: &[Vec3], t: &[u32; 3]) -> [Vec3; 3] {
+    t.map(|v| positions[v as usize])
+}
+
+fn has_area(positions: &[Vec3], t: &[u32; 3]) -> bool {
+    let [a, b, c] = corners(positions, t);
+    let longest = (b - a).length_squared().max((c - a).length_squared());
+    // Below a ten-millionth of the edge's square the direction of the apex is rounding noise.
+    (b - a).cross(c - a).length() > 1e-7 * longest && longest > 0.0
+}
+
+fn frame([a, b, c]: [Vec3; 3]) -> Frame {
+    let length = (b - a).length();
+    let along = (b - a) / length;
+    let x = (c - a).dot(along);
+    let y = ((c - a) - along * x).length();
+    Frame { length, apex: Vec2::new(x, y) }
+}
+
+/// The vertices from which and to which a half-edge runs.
+fn edge(triangles: &[[u32; 3]], half_edge: usize) -> (u32, u32) {
+    let (t, k) = (&triangles[half_edge / 3], half_edge % 3);
+    (t[(k + 1) % 3], t[(k + 2) % 3])
+}
+
+/// Turns triangles around so that neighbours agree on their outside, part by part, starting from
+/// the first triangle of each; returns the part of each triangle.
+fn orient(triangles: &mut [[u32; 3]]) -> Vec<u32> {
+    let mut edges: HashMap<(u32, u32), Vec<u32>> = HashMap::new();
+    for h in 0..3 * triangles.len() {
+        let (a, b) = edge(triangles, h);
+        edges.entry((a.min(b), a.max(b))).or_default().push(h as u32 / 3);
+    }
+    let mut parts = vec![u32::MAX; triangles.len()];
+    let mut part = 0;
+    for first in 0..triangles.len() {
+        if parts[first] != u32::MAX {
+            continue;
+        }
+        parts[first] = part;
+        let mut waiting = vec![first];
+        while let Some(t) = waiting.pop() {
+            for k in 0..3 {
+                let (a, b) = edge(triangles, 3 * t + k);
+                let sharing = &edges[&(a.min(b), a.max(b))];
+                if sharing.len() != 2 {
+                    continue;
+                }
+                let other = (sharing[0] + sharing[1]) as usize - t;
+                if parts[other] == u32::MAX {
+                    parts[other] = part;
+                    if (0..3).any(|j| edge(triangles, 3 * other + j) == (a, b)) {
+                        triangles[other].swap(1, 2);
+                    }
+                    waiting.push(other);
+                }
+            }
+        }
+        part += 1;
+    }
+    parts
+}
+
+fn join(triangles: &[[u32; 3]]) -> Vec<u32> {
+    let mut by_edge: HashMap<(u32, u32), Vec<u32>> = HashMap::new();
+    for h in 0..3 * triangles.len() {
+        by_edge.entry(edge(triangles, h)).or_default().push(h as u32);
+    }
+    (0..3 * triangles.len())
+        .map(|h| {
+            let (from, to) = edge(triangles, h);
+            match (by_edge[&(from, to)].as_slice(), by_edge.get(&(to, from)).map(Vec::as_slice)) {
+                ([_], Some(&[twin])) => twin,
+                _ => NO_TWIN,
+            }
+        })
+        .collect()
+}
+
+fn turn(frames: &[Frame], twins: &[u32], h: usize) -> Vec2 {
+    if twins[h] == NO_TWIN {
+        return Vec2::X;
+    }
+    let twin = twins[h] as usize;
+    let direction = |h: usize| {
+        let c = frames[h / 3].corners();
+        (c[(h % 3 + 2) % 3] - c[(h % 3 + 1) % 3]).normalize()
+    };
+    let (here, there) = (direction(h), -direction(twin));
+    // The rotation from `here` to `there` as a complex number, there / here.
+    Vec2::new(here.dot(there), here.perp_dot(there)).normalize()
+}

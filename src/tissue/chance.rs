@@ -1,0 +1,96 @@
+//! Chance: every random number is a hash of the seed, the cell's lineage and its purpose, so that
+//! no draw depends on the order in which cells are visited.
+
+/// What a number is drawn for; each purpose has its own stream.
+#[derive(Clone, Copy, Debug)]
+#[repr(u64)]
+pub enum Purpose {
+    Triangle = 1,
+    PlaceAlong = 2,
+    PlaceAcross = 3,
+    Type = 4,
+    Clock = 5,
+    ChildRadius = 6,
+    ChildAngle = 7,
+    Child = 8,
+}
+
+/// The finaliser of SplitMix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number
+/// Generators, OOPSLA 2014): each input bit changes every output bit with chance one half.
+pub fn mix(mut z: u64) -> u64 {
+    z = z.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// The key of a first cell.
+pub fn founder_key(seed: u32, founder: u32) -> u64 {
+    mix(mix(u64::from(seed)) ^ u64::from(founder))
+}
+
+/// 64 random bits for the `turn`-th draw of a cell for a purpose.
+pub fn draw(key: u64, turn: u32, purpose: Purpose) -> u64 {
+    mix(mix(key ^ (purpose as u64) << 56) ^ u64::from(turn))
+}
+
+/// A uniform number in `0..1` with 53 bits.
+pub fn uniform(key: u64, turn: u32, purpose: Purpose) -> f64 {
+    (draw(key, turn, purpose) >> 11) as f64 * (1.0 / (1u64 << 53) as f64)
+}
+
+/// An index drawn with the probabilities of a row that sums to 1.
+pub fn pick(row: &[f64; 3], u: f64) -> usize {
+    if u < row[0] {
+        0
+    } else if u < row[0] + row[1] || row[2] == 0.0 {
+        1
+    } else {
+        2
+    }
+}
+
+/// A Poisson distribution, sampled by looking a uniform number up in its cumulative table. A table
+/// of our own and no library's sampler: its draws may never change, or old links would lie.
+pub struct Poisson {
+    cumulative: Vec<f64>,
+}
+
+impl Poisson {
+    /// `mean` over 0 and at most 500 (where `exp(-mean)` is still far above the smallest f64).
+    pub fn new(mean: f64) -> Poisson {
+        let mut term = libm::exp(-mean);
+        let mut sum = term;
+        let mut cumulative = vec![sum];
+        // Beyond this the terms no longer change the sum.
+        let last = (mean + 12.0 * libm::sqrt(mean) + 30.0) as u32;
+        for k in 1..=last {
+            term *= mean / f64::from(k);
+            sum += term;
+            cumulative.push(sum);
+        }
+        Poisson { cumulative }
+    }
+
+    /// The whole number whose share of `0..1` holds `u`.
+    pub fn sample(&self, u: f64) -> u32 {
+        self.cumulative.partition_point(|&c| c <= u) as u32
+    }
+}
+
+/// A running hash of 64-bit words.
+pub struct Hash(u64);
+
+impl Hash {
+    pub fn new() -> Hash {
+        Hash(0)
+    }
+
+    pub fn add(&mut self, word: u64) {
+        self.0 = mix(self.0.rotate_left(5) ^ word);
+    }
+
+    pub fn finish(&self) -> u64 {
+        mix(self.0)
+    }
+}

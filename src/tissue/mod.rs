@@ -1,0 +1,15 @@
+//! Who lives on the surface: the recipe, the cells, their relaxation and division, and the diary of
+//! the days that have grown.
+
+mod chance;
+mod diary;
+mod divide;
+mod expectation;
+mod growth;
+mod recipe;
+mod relax;
+
+pub use diary::{Day, DayCount, Diary, Lineage};
+pub use expectation::mean_descendants;
+pub use growth::{Growth, Progress};
+pub use recipe::{CellType, Recipe, RecipeError};

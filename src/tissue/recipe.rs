@@ -1,0 +1,241 @@
+//! Every number of a run, with its unit and source. A recipe and a seed decide a tissue.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::collections::BTreeMap;
+
+/// The types of cells (CM98; Thesis 3.2.1.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[repr(u8)]
+pub enum CellType {
+    #[serde(rename = "F")]
+    Foreground = 0,
+    #[serde(rename = "B")]
+    Background = 1,
+    #[serde(rename = "M")]
+    Middle = 2,
+}
+
+impl CellType {
+    pub const ALL: [CellType; 3] = [CellType::Foreground, CellType::Background, CellType::Middle];
+
+    /// `F`, `B` or `M`.
+    pub fn letter(self) -> char {
+        ['F', 'B', 'M'][self as usize]
+    }
+
+    /// The type of an index 0, 1 or 2.
+    pub fn from_index(index: u8) -> CellType {
+        Self::ALL[index as usize]
+    }
+}
+
+/// Every number of a run (MODEL 1; Thesis, Table 4.1). Arrays are indexed by `CellType`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Recipe {
+    /// Cells at day 0, at least 1.
+    pub initial_cells: u32,
+    /// Chance that a first cell is of each type; sum 1.
+    #[serde(serialize_with = "write_row", deserialize_with = "read_row")]
+    pub initial_probability: [f64; 3],
+    /// Mean days between divisions of each type, over 1.
+    #[serde(serialize_with = "write_row", deserialize_with = "read_days")]
+    pub division_days: [f64; 3],
+    /// Chance that the child of a cell of the row's type is of the column's type; rows sum to 1.
+    #[serde(serialize_with = "write_mutation", deserialize_with = "read_mutation")]
+    pub mutation: [[f64; 3]; 3],
+    /// 1: no repulsion between the two types, 0: full. Symmetric.
+    #[serde(serialize_with = "write_adhesion", deserialize_with = "read_adhesion")]
+    pub adhesion: [[f32; 3]; 3],
+    /// Scale of the repulsive radius, `r = radius_scale * sqrt(area / cells)`.
+    pub radius_scale: f32,
+    /// Scalar repulsive force.
+    pub repulsion: f32,
+    /// Relaxation events before day 0.
+    pub initial_relaxations: u32,
+    /// Relaxation events in a day.
+    pub relaxations_per_day: u32,
+    /// Days to grow.
+    pub days: u32,
+    /// Population at which growth ends early.
+    pub max_cells: u32,
+}
+
+impl Default for Recipe {
+    fn default() -> Recipe {
+        let mut adhesion = [[0.0; 3]; 3];
+        adhesion[0][0] = 0.5;
+        adhesion[1][1] = 0.8;
+        Recipe {
+            initial_cells: 2000,
+            initial_probability: [0.5, 0.5, 0.0],
+            division_days: [10.0; 3],
+            mutation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            adhesion,
+            radius_scale: 1.0,
+            repulsion: 0.09,
+            initial_relaxations: 10,
+            relaxations_per_day: 10,
+            days: 35,
+            max_cells: 2_000_000,
+        }
+    }
+}
+
+/// Why a recipe cannot be grown, in words for whoever wrote it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{0}")]
+pub struct RecipeError(pub String);
+
+impl Recipe {
+    /// Reads a recipe in JSON; what is left out has its default.
+    pub fn from_json(text: &str) -> Result<Recipe, RecipeError> {
+        let recipe: Recipe =
+            serde_json::from_str(text).map_err(|e| RecipeError(format!("the recipe: {e}")))?;
+        recipe.check()?;
+        Ok(recipe)
+    }
+
+    /// The recipe as JSON, every number named.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(self).expect("a recipe holds plain numbers")
+    }
+
+    /// Refuses what the model cannot grow.
+    pub fn check(&self) -> Result<(), RecipeError> {
+        let fail = |what: String| Err(RecipeError(what));
+        if !(1..=2_000_000).contains(&self.initial_cells) {
+            return fail(format!(
+                "initial_cells is {}: it must be from 1 to 2,000,000",
+                self.initial_cells
+            ));
+        }
+        check_row("initial_probability", &self.initial_probability)?;
+        for from in CellType::ALL {
+            let days = self.division_days[from as usize];
+            if !(days > 1.0 && days <= 500.0) {
+                return fail(format!(
+                    "division_days of {} is {days}: it must be over 1 and at most 500 days \
+                     (at or under ln 2 days the population would be infinite)",
+                    from.letter()
+                ));
+            }
+            check_row(&format!("mutation of {}", from.letter()), &self.mutation[from as usize])?;
+            for to in CellType::ALL {
+                let adhesion = self.adhesion[from as usize][to as usize];
+                if !(0.0..=1.0).contains(&adhesion) {
+                    return fail(format!(
+                        "adhesion {}{} is {adhesion}: it must be from 0 to 1",
+                        from.letter(),
+                        to.letter()
+                    ));
+                }
+            }
+        }
+        if !(self.radius_scale > 0.0 && self.radius_scale <= 10.0) {
+            return fail(format!(
+                "radius_scale is {}: it must be over 0 and at most 10",
+                self.radius_scale
+            ));
+        }
+        if !(0.0..=2.0).contains(&self.repulsion) {
+            return fail(format!("repulsion is {}: it must be from 0 to 2", self.repulsion));
+        }
+        for (name, value, most) in [
+            ("days", self.days, 1000),
+            ("relaxations_per_day", self.relaxations_per_day, 1000),
+            ("initial_relaxations", self.initial_relaxations, 10_000),
+        ] {
+            if value > most {
+                return fail(format!("{name} is {value}: it must be at most {most}"));
+            }
+        }
+        if self.max_cells < self.initial_cells {
+            return fail(format!(
+                "max_cells is {}: it must be at least initial_cells, {}",
+                self.max_cells, self.initial_cells
+            ));
+        }
+        Ok(())
+    }
+}
+
+fn check_row(name: &str, row: &[f64; 3]) -> Result<(), RecipeError> {
+    let sum: f64 = row.iter().sum();
+    if row.iter().all(|p| (0.0..=1.0).contains(p)) && (sum - 1.0).abs() < 1e-6 {
+        return Ok(());
+    }
+    Err(RecipeError(format!(
+        "{name} is F {}, B {}, M {}: each must be from 0 to 1 and their sum 1",
+        row[0], row[1], row[2]
+    )))
+}
+
+type Letters = BTreeMap<CellType, f64>;
+
+fn letters(row: &[f64; 3]) -> Letters {
+    CellType::ALL.into_iter().map(|t| (t, row[t as usize])).collect()
+}
+
+fn fill(letters: Letters, mut row: [f64; 3]) -> [f64; 3] {
+    for (kind, value) in letters {
+        row[kind as usize] = value;
+    }
+    row
+}
+
+fn write_row<S: Serializer>(row: &[f64; 3], s: S) -> Result<S::Ok, S::Error> {
+    letters(row).serialize(s)
+}
+
+/// What is not named has probability 0.
+fn read_row<'de, D: Deserializer<'de>>(d: D) -> Result<[f64; 3], D::Error> {
+    Ok(fill(Letters::deserialize(d)?, [0.0; 3]))
+}
+
+fn read_days<'de, D: Deserializer<'de>>(d: D) -> Result<[f64; 3], D::Error> {
+    Ok(fill(Letters::deserialize(d)?, Recipe::default().division_days))
+}
+
+fn write_mutation<S: Serializer>(rows: &[[f64; 3]; 3], s: S) -> Result<S::Ok, S::Error> {
+    let rows: BTreeMap<CellType, Letters> =
+        CellType::ALL.into_iter().map(|t| (t, letters(&rows[t as usize]))).collect();
+    rows.serialize(s)
+}
+
+/// What is not named does not mutate: the diagonal is what the named chances leave.
+fn read_mutation<'de, D: Deserializer<'de>>(d: D) -> Result<[[f64; 3]; 3], D::Error> {
+    let mut rows = Recipe::default().mutation;
+    for (from, named) in BTreeMap::<CellType, Letters>::deserialize(d)? {
+        let keeps = named.contains_key(&from);
+        let row = fill(named, [0.0; 3]);
+        rows[from as usize] = row;
+        if !keeps {
+            rows[from as usize][from as usize] = 1.0 - row.iter().sum::<f64>();
+        }
+    }
+    Ok(rows)
+}
+
+/// The pairs of types, by their names in JSON.
+const PAIRS: [(&str, usize, usize); 6] =
+    [("FF", 0, 0), ("BB", 1, 1), ("MM", 2, 2), ("FB", 0, 1), ("FM", 0, 2), ("BM", 1, 2)];
+
+fn write_adhesion<S: Serializer>(rows: &[[f32; 3]; 3], s: S) -> Result<S::Ok, S::Error> {
+    let named: BTreeMap<&str, f32> = PAIRS.iter().map(|&(n, i, j)| (n, rows[i][j])).collect();
+    named.serialize(s)
+}
+
+fn read_adhesion<'de, D: Deserializer<'de>>(d: D) -> Result<[[f32; 3]; 3], D::Error> {
+    let mut rows = Recipe::default().adhesion;
+    for (name, value) in BTreeMap::<String, f32>::deserialize(d)? {
+        let Some(&(_, i, j)) = PAIRS.iter().find(|(n, ..)| *n == name) else {
+            return Err(serde::de::Error::custom(format!(
+                "adhesion has no pair {name}: the pairs are FF, BB, MM, FB, FM and BM"
+            )));
+        };
+        rows[i][j] = value;
+        rows[j][i] = value;
+    }
+    Ok(rows)
+}
