@@ -4,8 +4,8 @@
 //! Computer-Aided Design 10 (1978); rims as in H. Biermann, A. Levin, D. Zorin, Piecewise smooth
 //! subdivision surfaces with normal control, SIGGRAPH 2000.
 
-use super::{Face, PolygonMesh};
-use std::collections::HashMap;
+use super::{Face, Group, PolygonMesh};
+use std::collections::{BTreeMap, HashMap};
 use std::ops::{Add, Mul};
 
 impl PolygonMesh {
@@ -22,6 +22,55 @@ impl PolygonMesh {
     /// If a face names a vertex that is not there (`parse` makes no such mesh).
     pub fn refined(&self, levels: u32) -> PolygonMesh {
         (0..levels).fold(self.clone(), |mesh, _| mesh.refined_once())
+    }
+
+    /// As `refined`, with a number of levels for each group: spines need none where the skin needs
+    /// some. Groups with different numbers are taken apart; those with the same number that share
+    /// vertices go on doing so.
+    ///
+    /// # Panics
+    /// As `refined`.
+    pub fn refined_by(&self, levels: impl Fn(&Group) -> u32) -> PolygonMesh {
+        let unnamed = Group { part: String::new(), material: String::new() };
+        let level_of =
+            |face: &Face| levels(self.groups.get(face.group as usize).unwrap_or(&unnamed));
+        let mut by_level: BTreeMap<u32, Vec<&Face>> = BTreeMap::new();
+        for face in &self.faces {
+            by_level.entry(level_of(face)).or_default().push(face);
+        }
+        let mut whole = PolygonMesh { groups: self.groups.clone(), ..PolygonMesh::default() };
+        for (level, faces) in by_level {
+            whole.append(self.cut_out(&faces).refined(level));
+        }
+        whole
+    }
+
+    /// These faces alone, with the vertices that they use.
+    fn cut_out(&self, faces: &[&Face]) -> PolygonMesh {
+        let mut cut = PolygonMesh { groups: self.groups.clone(), ..PolygonMesh::default() };
+        let mut numbers = HashMap::new();
+        for face in faces {
+            let vertices = face.vertices.iter().map(|&old| {
+                *numbers.entry(old).or_insert_with(|| {
+                    cut.positions.push(self.positions[old as usize]);
+                    cut.uvs.extend(self.uvs.get(old as usize));
+                    cut.positions.len() as u32 - 1
+                })
+            });
+            cut.faces.push(Face { vertices: vertices.collect(), group: face.group });
+        }
+        cut
+    }
+
+    /// Adds the vertices and faces of a mesh with the same groups.
+    fn append(&mut self, other: PolygonMesh) {
+        let first = self.positions.len() as u32;
+        self.positions.extend(other.positions);
+        self.uvs.extend(other.uvs);
+        self.faces.extend(other.faces.into_iter().map(|face| Face {
+            vertices: face.vertices.iter().map(|v| v + first).collect(),
+            group: face.group,
+        }));
     }
 
     fn refined_once(&self) -> PolygonMesh {
@@ -267,6 +316,21 @@ mod tests {
         assert_eq!(body.ornaments.len(), 1);
         assert_eq!(body.ornaments[0].material, "soil");
         assert_eq!(body.ornaments[0].triangles.len(), 16 * 2);
+    }
+
+    #[test]
+    fn each_group_can_have_its_own_levels() {
+        let mut mesh = sheet(2);
+        let square = Group { part: String::new(), material: String::new() };
+        mesh.groups = vec![square, Group { part: "spine".to_string(), material: String::new() }];
+        mesh.faces[3].group = 1;
+        let mixed = mesh.refined_by(|group| if group.part.is_empty() { 2 } else { 0 });
+        assert_eq!(mixed.faces.len(), 3 * 16 + 1);
+        assert_eq!(mixed.uvs.len(), mixed.positions.len());
+        assert!(mixed.positions.iter().zip(&mixed.uvs).all(|(p, uv)| p.x == uv.x && p.z == uv.y));
+        let even = mesh.refined_by(|_| 2);
+        assert_eq!(even.faces.len(), mesh.refined(2).faces.len());
+        assert_eq!(even.positions.len(), mesh.refined(2).positions.len());
     }
 
     #[test]
