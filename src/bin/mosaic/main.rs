@@ -11,6 +11,7 @@ use report::{DayLine, Report};
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// What is said, on one line, about input that cannot be used.
@@ -43,8 +44,10 @@ fn grow(options: &Options) -> Result<(), Refusal> {
     };
 
     let started = Instant::now();
+    let mesh = Arc::new(subject.mesh);
+    let max_cells = subject.recipe.max_cells;
     let mut growth =
-        Growth::new(&subject.mesh, &subject.recipe, &subject.controls, subject.individual)
+        Growth::new(mesh.clone(), subject.recipe, &subject.controls, subject.individual)
             .map_err(|e| e.to_string())?;
     let mut growing = started.elapsed();
     let mut report = Report::new(subject.plant, subject.individual);
@@ -61,9 +64,8 @@ fn grow(options: &Options) -> Result<(), Refusal> {
             }
             Progress::Full => {
                 eprintln!(
-                    "mosaic: the population reached {} cells, where the recipe ends growth; what \
-                     has grown is kept",
-                    subject.recipe.max_cells
+                    "mosaic: growth ends early, at the recipe's max_cells of {max_cells}; what \
+                     has grown is kept"
                 );
                 break;
             }
@@ -74,7 +76,7 @@ fn grow(options: &Options) -> Result<(), Refusal> {
 
     if let Some((path, file)) = &mut table {
         let mut out = BufWriter::new(file);
-        write_cells(&subject.mesh, &growth.diary, growth.diary.days.len() - 1, &mut out)
+        write_cells(&mesh, &growth.diary, growth.diary.days.len() - 1, &mut out)
             .and_then(|()| out.flush())
             .map_err(|e| cannot("write", path, &e))?;
     }
