@@ -2,4 +2,4 @@
 
 mod sites;
 
-pub use sites::{SiteLists, Sites};
+pub use sites::{Head, Site, SiteLists};

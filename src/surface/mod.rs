@@ -9,8 +9,8 @@ mod refine;
 mod walk;
 
 pub use body::{Body, Ornament, SurfaceError};
-pub use chart::{Charts, Image};
+pub use chart::{Charts, Image, Images};
 pub use cylinder::{Control, ControlImage, Cylinder};
-pub use mesh::{Mesh, NO_TWIN, Place};
+pub use mesh::{Frame, Mesh, NO_TWIN, Place};
 pub use obj::{Face, Group, ObjError, PolygonMesh};
 pub use walk::{Step, walk};

@@ -1,6 +1,87 @@
-//! Straight walks over the surface.
+//! Straight walks over the surface: a step in the plane of one triangle goes on over its edges as
+//! if the neighbours were unfolded into that plane, and slides along the rim of an open surface.
 
-/// Stub of a step.
-pub struct Step;
-/// Stub of a walk.
-pub fn walk() {}
+use super::{Mesh, NO_TWIN, Place};
+use glam::Vec2;
+
+/// Edges that one step may cross. A relaxation step is at most half a repulsive radius long and
+/// crosses a few; a walk that comes this far is caught among slivers.
+const MAX_CROSSINGS: u32 = 64;
+
+/// No edge: the walk has just begun.
+const NONE: usize = 3;
+
+/// Where a walk ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    pub place: Place,
+    /// The walk was cut short at its last valid place after too many crossings.
+    pub caught: bool,
+}
+
+/// Walks from a place along `step`, a vector in the frame of the place's triangle (centimetres).
+pub fn walk(mesh: &Mesh, from: Place, step: Vec2) -> Step {
+    let mut triangle = from.triangle as usize;
+    let mut b = [1.0 - from.b1 - from.b2, from.b1, from.b2];
+    let mut rest = step;
+    let mut entered = NONE;
+    let mut on_rim = false;
+    for _ in 0..MAX_CROSSINGS {
+        let change = mesh.frames[triangle].barycentric(rest);
+        let change = [-(change.x + change.y), change.x, change.y];
+        let (exit, time) = first_exit(&b, &change, entered);
+        if exit == NONE {
+            return Step { place: place(triangle, &b, &change), caught: false };
+        }
+        let (next, last) = ((exit + 1) % 3, (exit + 2) % 3);
+        let along = (b[last] + time * change[last]).clamp(0.0, 1.0);
+        b[exit] = 0.0;
+        b[next] = 1.0 - along;
+        b[last] = along;
+        rest *= 1.0 - time;
+        let twin = mesh.twins[3 * triangle + exit];
+        if twin == NO_TWIN {
+            if on_rim && time == 0.0 {
+                // A corner of the rim: whichever edge it follows, the step leads out.
+                break;
+            }
+            let corners = mesh.frames[triangle].corners();
+            let edge = (corners[last] - corners[next]).normalize();
+            rest = edge * rest.dot(edge);
+            entered = exit;
+            on_rim = true;
+            continue;
+        }
+        let turn = mesh.turns[3 * triangle + exit];
+        rest = Vec2::new(turn.x * rest.x - turn.y * rest.y, turn.y * rest.x + turn.x * rest.y);
+        triangle = twin as usize / 3;
+        entered = twin as usize % 3;
+        on_rim = false;
+        b[entered] = 0.0;
+        b[(entered + 1) % 3] = along;
+        b[(entered + 2) % 3] = 1.0 - along;
+    }
+    Step { place: place(triangle, &b, &[0.0; 3]), caught: !on_rim }
+}
+
+/// The edge through which the walk leaves its triangle first and when, with 1 the end of the step;
+/// never the edge just entered; of equal times the lowest index.
+fn first_exit(b: &[f32; 3], change: &[f32; 3], entered: usize) -> (usize, f32) {
+    let mut first = (NONE, 1.0);
+    for k in 0..3 {
+        if k != entered && b[k] + change[k] < 0.0 {
+            let time = b[k] / -change[k];
+            if time < first.1 {
+                first = (k, time);
+            }
+        }
+    }
+    first
+}
+
+/// Rounding may leave a coordinate a hair below 0: it is put back on the edge.
+fn place(triangle: usize, b: &[f32; 3], change: &[f32; 3]) -> Place {
+    let b1 = (b[1] + change[1]).clamp(0.0, 1.0);
+    let b2 = (b[2] + change[2]).clamp(0.0, 1.0 - b1);
+    Place { triangle: triangle as u32, b1, b2 }
+}
