@@ -3,6 +3,7 @@
 
 use crate::plants::View;
 use crate::surface::Body;
+use glam::camera::rh::{proj::directx::perspective, view::look_at_mat4};
 use glam::{Mat4, Vec2, Vec3};
 
 /// Opening angle of the centred square at zoom 1. Wider bends the near leaves towards the eye,
@@ -168,9 +169,8 @@ impl Camera {
         let far = distance(sphere);
         // The ground's shadow reaches beyond the ball: leave it room.
         let (near, far) = (far - 1.5 * sphere.radius, far + 3.0 * sphere.radius);
-        let projection =
-            Mat4::perspective_rh(2.0 * libm::atanf(tan_half), width / height, near, far);
-        projection * Mat4::look_at_rh(self.eye(sphere), self.middle(sphere), Vec3::Y)
+        let projection = perspective(2.0 * libm::atanf(tan_half), width / height, near, far);
+        projection * look_at_mat4(self.eye(sphere), self.middle(sphere), Vec3::Y)
     }
 
     fn middle(&self, sphere: &Sphere) -> Vec3 {

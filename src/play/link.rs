@@ -109,7 +109,8 @@ fn read_parameter(scene: &mut Scene, key: &str, value: &str) -> Result<(), Strin
 
 fn read_orbit(value: &str) -> Result<Orbit, String> {
     let numbers = value.split(',').map(|n| number(n).map(|n| n as f32));
-    let (azimuth_deg, elevation_deg, zoom, pan) = match numbers.collect::<Result<Vec<_>, _>>()?[..] {
+    let (azimuth_deg, elevation_deg, zoom, pan) = match numbers.collect::<Result<Vec<_>, _>>()?[..]
+    {
         [azimuth, elevation, zoom] => (azimuth, elevation, zoom, Vec2::ZERO),
         [azimuth, elevation, zoom, x, y] => (azimuth, elevation, zoom, Vec2::new(x, y)),
         _ => return Err("a view has three or five numbers".to_string()),

@@ -227,9 +227,6 @@ mod tests {
         }
         assert_eq!(ToPage::from_words(&[99]), Err(ProtocolError));
         assert_eq!(ToPage::from_words(&[HELLO, u32::MAX]), Err(ProtocolError));
-        assert_eq!(
-            ToPage::from_words(&[DAY, 0, 0, 0, 0, u32::MAX, u32::MAX]),
-            Err(ProtocolError)
-        );
+        assert_eq!(ToPage::from_words(&[DAY, 0, 0, 0, 0, u32::MAX, u32::MAX]), Err(ProtocolError));
     }
 }

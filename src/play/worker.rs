@@ -4,90 +4,98 @@
 use super::link;
 use super::protocol::{BUILD, DayNews, ToPage, ToWorker};
 use crate::plants::Plant;
-use crate::surface::Body;
-use crate::tissue::{Growth, Progress};
+use crate::surface::Mesh;
+use crate::tissue::{Growth, Progress, RecipeError};
+use std::sync::Arc;
 
-/// The worker's desk: where wishes arrive and answers leave.
-#[expect(async_fn_in_trait, reason = "a worker has one thread: no future need be Send")]
-pub trait Desk {
-    /// Waits for the next wish; wishes that a newer one has overtaken are dropped.
-    async fn next(&mut self) -> ToWorker;
-    /// Whether the slice of time is used up and it is time to look for wishes.
-    fn slice_is_over(&mut self) -> bool;
-    /// Lets wishes arrive, and starts the next slice; the newest wish, if any.
-    async fn look_up(&mut self) -> Option<ToWorker>;
-    fn post(&mut self, answer: ToPage);
-}
-
-/// Works for ever.
-pub async fn work(desk: &mut impl Desk, plants: &'static [Plant]) {
-    desk.post(ToPage::Hello { build: BUILD.to_string() });
-    let mut bodies: Vec<(&str, Body)> = Vec::new();
-    let mut wish = desk.next().await;
-    loop {
-        let ToWorker::Grow { generation, link } = &wish;
-        wish = match grow(desk, plants, &mut bodies, *generation, link).await {
-            Some(newer) => newer,
-            None => desk.next().await,
-        };
-    }
-}
-
-/// Grows the scene of a link until it ends or a newer wish arrives. Bodies are made once and kept:
-/// refining one takes longer than its first days.
-async fn grow(
-    desk: &mut impl Desk,
+/// Grows one plant at a time.
+pub struct Worker {
     plants: &'static [Plant],
-    bodies: &mut Vec<(&str, Body)>,
+    /// Surfaces by plant, made once and kept: to refine one takes longer than its first days.
+    surfaces: Vec<(&'static str, Arc<Mesh>)>,
+    run: Option<Run>,
+}
+
+struct Run {
     generation: u32,
-    link: &str,
-) -> Option<ToWorker> {
-    let scene = link::read(link, plants).scene;
-    let (plant, recipe) = (scene.plant, scene.recipe);
-    let known = bodies.iter().position(|(key, _)| *key == plant.key).unwrap_or_else(|| {
-        bodies.push((plant.key, (plant.body)()));
-        bodies.len() - 1
-    });
-    let controls = (plant.controls)();
-    let mesh = &bodies[known].1.surface;
-    let mut growth = match Growth::new(mesh, &recipe, &controls, scene.individual) {
-        Ok(growth) => growth,
-        Err(why) => {
-            desk.post(ToPage::Failed { generation, text: why.to_string() });
-            return None;
-        }
-    };
-    loop {
-        match growth.step() {
-            Progress::Event => {}
-            Progress::Day(day) => desk.post(ToPage::Day(news(&growth, generation, day))),
-            Progress::Full => {
-                desk.post(ToPage::Full { generation });
-                return None;
+    growth: Growth,
+}
+
+impl Worker {
+    pub fn new(plants: &'static [Plant]) -> Worker {
+        Worker { plants, surfaces: Vec::new(), run: None }
+    }
+
+    /// What a worker says first.
+    pub fn hello() -> ToPage {
+        ToPage::Hello { build: BUILD.to_string() }
+    }
+
+    /// Takes a wish; what grew before stops. An answer comes at once only if it cannot be grown.
+    pub fn hear(&mut self, wish: ToWorker) -> Option<ToPage> {
+        let ToWorker::Grow { generation, link } = wish;
+        self.run = None;
+        match self.sow(&link) {
+            Ok(growth) => {
+                self.run = Some(Run { generation, growth });
+                None
             }
-            Progress::Done => {
-                desk.post(ToPage::Done { generation });
-                return None;
+            Err(why) => Some(ToPage::Failed { generation, text: why.to_string() }),
+        }
+    }
+
+    /// Whether something is growing.
+    pub fn is_busy(&self) -> bool {
+        self.run.is_some()
+    }
+
+    /// Grows until the slice of time is over or the growth ends. `slice_is_over` is asked after each
+    /// relaxation event.
+    pub fn work(&mut self, slice_is_over: impl Fn() -> bool, mut post: impl FnMut(ToPage)) {
+        while let Some(Run { generation, growth }) = &mut self.run {
+            let generation = *generation;
+            match growth.step() {
+                Progress::Event => {}
+                Progress::Day(day) => post(ToPage::Day(news(growth, generation, day))),
+                Progress::Full => {
+                    post(ToPage::Full { generation });
+                    self.run = None;
+                }
+                Progress::Done => {
+                    post(ToPage::Done { generation });
+                    self.run = None;
+                }
+            }
+            if slice_is_over() {
+                return;
             }
         }
-        if desk.slice_is_over()
-            && let Some(newer) = desk.look_up().await
-        {
-            return Some(newer);
-        }
+    }
+
+    fn sow(&mut self, link: &str) -> Result<Growth, RecipeError> {
+        let scene = link::read(link, self.plants).scene;
+        let plant = scene.plant;
+        let known = self.surfaces.iter().position(|(key, _)| *key == plant.key);
+        let known = known.unwrap_or_else(|| {
+            self.surfaces.push((plant.key, Arc::new((plant.body)().surface)));
+            self.surfaces.len() - 1
+        });
+        let surface = Arc::clone(&self.surfaces[known].1);
+        Growth::new(surface, scene.recipe, &(plant.controls)(), scene.individual)
     }
 }
 
 fn news(growth: &Growth, generation: u32, day: u32) -> DayNews {
+    let diary = &growth.diary;
     let index = day as usize;
-    let today = &growth.diary.days[index];
-    let before = index.checked_sub(1).map_or(0, |k| growth.diary.days[k].places.len());
+    let today = &diary.days[index];
+    let before = index.checked_sub(1).map_or(0, |k| diary.days[k].places.len());
     DayNews {
         generation,
         day,
         repulsive_radius: today.repulsive_radius,
-        fingerprint: growth.diary.fingerprint(index),
+        fingerprint: diary.fingerprint(index),
         places: today.places.clone(),
-        newborn: growth.diary.lineage[before..today.places.len()].to_vec(),
+        newborn: diary.lineage[before..today.places.len()].to_vec(),
     }
 }
