@@ -4,6 +4,7 @@ use super::{Mesh, NO_TWIN};
 use glam::Vec2;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use wide::f32x4;
 
 /// A triangle unfolded into the plane of another, the chart's home.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +16,20 @@ pub struct Image {
     pub origin: Vec2,
     pub edge1: Vec2,
     pub edge2: Vec2,
+}
+
+impl Image {
+    /// Four places of the triangle, given by their `b1` and `b2`, as points of the home plane.
+    #[inline]
+    pub fn points(&self, b1: f32x4, b2: f32x4) -> (f32x4, f32x4) {
+        let at = |origin: f32, edge1: f32, edge2: f32| {
+            f32x4::splat(origin) + b1 * f32x4::splat(edge1) + b2 * f32x4::splat(edge2)
+        };
+        (
+            at(self.origin.x, self.edge1.x, self.edge2.x),
+            at(self.origin.y, self.edge1.y, self.edge2.y),
+        )
+    }
 }
 
 /// Which images of a triangle a chart keeps where several ways around a curved vertex lead to it.

@@ -1,12 +1,9 @@
 //! Bins: the triangles of a mesh, each cut into equal ones where many cells share it.
 
 use crate::surface::{Frame, Mesh, Place};
+use glam::Vec2;
 use std::ops::Range;
 use wide::f32x4;
-
-/// Cells that a bin should hold. Fewer, and most of the work is looking into bins; more, and it is
-/// looking at cells that are too far away.
-const CELLS_PER_BIN: f32 = 3.0;
 
 /// Cuts along an edge at most: their square is the bins of a triangle.
 const MAX_CUTS: usize = 32;
@@ -25,10 +22,10 @@ pub struct Bins {
 }
 
 impl Bins {
-    /// Cuts the triangles for a population.
-    pub fn new(mesh: &Mesh, cells: usize) -> Bins {
+    /// Cuts the triangles so that a bin holds about `cells_per_bin` of a population.
+    pub fn new(mesh: &Mesh, cells: usize, cells_per_bin: f32) -> Bins {
         let per_triangle = cells as f32 / mesh.triangles.len() as f32;
-        let cuts = ((per_triangle / CELLS_PER_BIN).sqrt().round() as usize).clamp(1, MAX_CUTS);
+        let cuts = ((per_triangle / cells_per_bin).sqrt().round() as usize).clamp(1, MAX_CUTS);
         let share = 1.0 / cuts as f32;
         let sizes = mesh.frames.iter().map(|frame| share * size(frame)).collect();
         let mut bins = Bins { cuts, sizes, centroid_b1: Vec::new(), centroid_b2: Vec::new() };
@@ -67,6 +64,11 @@ impl Bins {
         let points_down = (x - i as f32) + (y - j as f32) > 1.0 && i + j + 1 < cuts;
         let within = i * (2 * cuts - i) + 2 * j + i32::from(points_down);
         place.triangle * (cuts * cuts) as u32 + within as u32
+    }
+
+    /// The centroid of a bin of a triangle, as `b1` and `b2`.
+    pub fn centroid(&self, bin: usize) -> Vec2 {
+        Vec2::new(self.centroid_b1[bin], self.centroid_b2[bin])
     }
 
     /// The centroids of four bins of a triangle, from the `first` on, as `b1` and `b2`.
@@ -112,10 +114,17 @@ impl Rim {
     /// all that are within reach of the triangle, and some beyond its corners.
     #[inline]
     pub fn within(&self, x: f32x4, y: f32x4, reach: f32) -> u32 {
+        let [h0, h1, h2] = self.sides(x, y, reach);
+        (h0 & h1 & h2).to_bitmask()
+    }
+
+    /// The same for each edge by itself, as masks.
+    #[inline]
+    pub fn sides(&self, x: f32x4, y: f32x4, reach: f32) -> [f32x4; 3] {
         let lowest = self.per_cm.map(|per_cm| f32x4::splat(-reach * per_cm));
         let h2 = y * self.per_apex;
         let h1 = (x - h2 * self.apex_x) * self.per_length;
         let h0 = f32x4::ONE - h1 - h2;
-        (h0.simd_ge(lowest[0]) & h1.simd_ge(lowest[1]) & h2.simd_ge(lowest[2])).to_bitmask()
+        [h0.simd_ge(lowest[0]), h1.simd_ge(lowest[1]), h2.simd_ge(lowest[2])]
     }
 }

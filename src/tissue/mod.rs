@@ -10,6 +10,7 @@ mod growth;
 mod recipe;
 mod relax;
 
+pub(crate) use bins::{Bins, Rim};
 pub use diary::{Day, DayCount, Diary, Lineage};
 pub use expectation::mean_descendants;
 pub use growth::{Growth, Progress};

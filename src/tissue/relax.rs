@@ -10,6 +10,10 @@ use wide::f32x4;
 /// of them is cheaper than the sort.
 const GRID_FROM: usize = 40;
 
+/// Cells that a bin should hold. Fewer, and most of the work is looking into bins; more, and it is
+/// looking at cells that are too far away.
+const CELLS_PER_BIN: f32 = 3.0;
+
 /// Lies out of every radius: fills the lists up to whole lanes.
 const FAR: f32 = 1e18;
 
@@ -66,7 +70,7 @@ impl Columns {
 impl Crowd {
     /// Takes up the cells of a day: their places and types by number.
     pub fn gather(&mut self, mesh: &Mesh, cells: impl ExactSizeIterator<Item = (Place, u8)>) {
-        self.bins = Bins::new(mesh, cells.len());
+        self.bins = Bins::new(mesh, cells.len(), CELLS_PER_BIN);
         self.scratch.resize(cells.len());
         self.columns.resize(cells.len());
         self.near.points.resize(cells.len());
@@ -196,7 +200,7 @@ impl Points {
         let mut to = self.len;
         while row < rows.end {
             let (b1, b2) = (lanes(&columns.b1, row), lanes(&columns.b2, row));
-            let (x, y) = image_points(image, b1, b2);
+            let (x, y) = image.points(b1, b2);
             *lanes_mut(&mut self.x, to) = x.to_array();
             *lanes_mut(&mut self.y, to) = y.to_array();
             *lanes_mut(&mut self.kind, to) = lanes(&columns.kind, row).to_array();
@@ -225,18 +229,6 @@ fn lanes_mut(column: &mut [f32], row: usize) -> &mut [f32; LANES] {
     (&mut column[row..row + LANES]).try_into().expect("four lanes")
 }
 
-/// Barycentric coordinates in a triangle to points of the plane into which it is unfolded.
-#[inline]
-fn image_points(image: &Image, b1: f32x4, b2: f32x4) -> (f32x4, f32x4) {
-    let at = |origin: f32, edge1: f32, edge2: f32| {
-        f32x4::splat(origin) + b1 * f32x4::splat(edge1) + b2 * f32x4::splat(edge2)
-    };
-    (
-        at(image.origin.x, image.edge1.x, image.edge2.x),
-        at(image.origin.y, image.edge1.y, image.edge2.y),
-    )
-}
-
 impl Near {
     fn unfold(
         &mut self,
@@ -263,7 +255,7 @@ impl Near {
             let mut first = of.start;
             while first < of.end {
                 let (b1, b2) = bins.centroids(first - of.start);
-                let (x, y) = image_points(image, b1, b2);
+                let (x, y) = image.points(b1, b2);
                 let mut near = rim.within(x, y, reach) & ((1 << (of.end - first).min(LANES)) - 1);
                 while near != 0 {
                     let bin = first + near.trailing_zeros() as usize;
