@@ -1,6 +1,13 @@
 //! The catalogue: what each plant is made of, how its cells live, and how it looks.
 
-use crate::surface::{Body, Control};
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod bodies;
+mod cactus;
+mod croton;
+mod mushroom;
+mod watermelon;
+
+use crate::surface::{Body, Control, Group, PolygonMesh};
 use crate::tissue::Recipe;
 
 /// A plant of the playground.
@@ -53,5 +60,31 @@ pub struct View {
 
 /// All plants in the order of the chooser.
 pub fn all() -> &'static [Plant] {
-    &[]
+    static ALL: [Plant; 4] = [croton::PLANT, cactus::PLANT, watermelon::PLANT, mushroom::PLANT];
+    &ALL
+}
+
+/// The plant of a key, as it stands in links.
+pub fn find(key: &str) -> Option<&'static Plant> {
+    all().iter().find(|plant| plant.key == key)
+}
+
+/// The body in one of our own mesh files, each group refined so many times.
+fn body(obj: &str, levels: impl Fn(&Group) -> u32) -> Body {
+    smooth(&PolygonMesh::parse(obj).expect("our own meshes are well formed"), levels)
+}
+
+fn smooth(control: &PolygonMesh, levels: impl Fn(&Group) -> u32) -> Body {
+    Body::new(&control.refined_by(levels)).expect("our own meshes have a surface")
+}
+
+/// A number from 0 to 1 that is always the same for the same place: irregularity that belongs to
+/// the plant and not to the individual. (The finaliser of MurmurHash3, Appleby 2011.)
+fn scatter(item: u32, purpose: u32) -> f32 {
+    let mut bits = item.wrapping_mul(0x9e37_79b9) ^ purpose.wrapping_mul(0x85eb_ca6b);
+    bits = (bits ^ (bits >> 16)).wrapping_mul(0x85eb_ca6b);
+    bits = (bits ^ (bits >> 13)).wrapping_mul(0xc2b2_ae35);
+    bits ^= bits >> 16;
+    // 24 bits are what an f32 between 0 and 1 holds.
+    (bits >> 8) as f32 / (1 << 24) as f32
 }

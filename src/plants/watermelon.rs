@@ -1,0 +1,84 @@
+//! Watermelon: dark jagged stripes from end to end (Thesis, Fig. 4.17).
+
+use super::{Look, Plant, View, scatter};
+use crate::surface::{Body, Control, ControlImage, Cylinder};
+use crate::tissue::Recipe;
+use glam::Vec3;
+
+pub const PLANT: Plant = Plant {
+    key: "watermelon",
+    name: "Watermelon",
+    latin: "Citrullus lanatus",
+    source: "Thesis, Fig. 4.17",
+    colour_names: ["dark green", "light green", ""],
+    recipe: Recipe {
+        initial_cells: 10_000,
+        initial_probability: [0.9, 0.1, 0.0],
+        division_days: [5.0, 10.0, 10.0],
+        mutation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        adhesion: [[0.5, 0.0, 0.0], [0.0, 0.9, 0.0], [0.0, 0.0, 0.0]],
+        radius_scale: 0.5,
+        // Open in the thesis.
+        repulsion: 0.25,
+        initial_relaxations: 20,
+        relaxations_per_day: 10,
+        days: 20,
+        max_cells: 160_000,
+    },
+    first_day: 20,
+    look: Look {
+        cells: [[0.114, 0.29, 0.133], [0.525, 0.69, 0.376], [0.5, 0.5, 0.2]],
+        variation: 0.1,
+        border: 0.12,
+        gloss: 0.5,
+        veins: false,
+        bare: &[("stem", [0.54, 0.478, 0.333], 0.05), ("scar", [0.5, 0.4, 0.28], 0.0)],
+    },
+    view: View { azimuth_deg: 0.0, elevation_deg: 16.0, zoom: 1.0 },
+    body: grow_body,
+    controls: stripes,
+};
+
+/// Towards the stem end; of unit length.
+pub(super) const AXIS: Vec3 = Vec3::new(0.48, 0.36, 0.8);
+pub(super) const HALF_LENGTH_CM: f32 = 13.0;
+pub(super) const HALF_WIDTH_CM: f32 = 12.2;
+/// So that the lowest point of the fruit lies on the ground.
+pub(super) const CENTRE: Vec3 = Vec3::new(0.0, 12.3, 0.0);
+
+const STRIPES: u32 = 11;
+
+fn grow_body() -> Body {
+    super::body(include_str!("../../meshes/watermelon.obj"), |_| 2)
+}
+
+/// Dark stripes on a cylinder along the fruit.
+fn stripes() -> Vec<Control> {
+    let cylinder = Cylinder {
+        base: CENTRE - AXIS * HALF_LENGTH_CM,
+        axis: AXIS,
+        zero: AXIS.cross(Vec3::Y).normalize(),
+        height: 2.0 * HALF_LENGTH_CM,
+    };
+    vec![Control { cylinder, image: ControlImage::paint(512, 256, is_stripe) }]
+}
+
+/// Whether a first cell at this angle, in turns, and height may be dark.
+fn is_stripe(turns: f32, height: f32) -> bool {
+    let stripe = (turns * STRIPES as f32) as u32 % STRIPES;
+    let from_middle = turns * STRIPES as f32 - stripe as f32 - 0.5;
+    let side = u32::from(from_middle > 0.0);
+    // Stripes wander, are of unlike width, and have teeth of two sizes.
+    let wander = 0.1 * rough(height * 5.0, stripe, 0);
+    let width = 0.17 + 0.03 * rough(0.0, stripe, 1) + 0.05 * rough(height * 9.0, stripe, 2 + side);
+    let teeth = 0.09 * rough(height * 34.0, stripe, 4 + side);
+    (from_middle - wander).abs() < width + teeth
+}
+
+/// Noise from -1 to 1 along a line: straight from one random value at a whole number to the next.
+fn rough(at: f32, item: u32, purpose: u32) -> f32 {
+    let whole = libm::floorf(at);
+    let value = |k: f32| 2.0 * scatter(item + 64 * k as u32, purpose) - 1.0;
+    let t = at - whole;
+    value(whole) * (1.0 - t) + value(whole + 1.0) * t
+}
