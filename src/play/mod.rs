@@ -1,2 +1,21 @@
 //! The playground without a browser: scene, link, camera, messages, and the brains of page and
 //! worker.
+
+pub mod camera;
+mod history;
+pub mod link;
+pub mod page;
+pub mod parameters;
+pub mod playhead;
+pub mod protocol;
+mod run;
+mod scene;
+#[cfg(test)]
+mod testing;
+#[cfg(test)]
+mod together;
+pub mod words;
+pub mod worker;
+
+pub use run::{DayFacts, End, Run};
+pub use scene::{FIRST_INDIVIDUAL, Scene};

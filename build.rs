@@ -1,0 +1,32 @@
+//! Gives page, worker and command line the number of their build: a hash of all sources, so that a
+//! page never takes answers from a worker of another build out of a cache.
+
+use std::hash::{DefaultHasher, Hasher};
+use std::path::{Path, PathBuf};
+
+fn main() {
+    let mut files = Vec::new();
+    for root in ["src", "meshes", "Cargo.lock"] {
+        if Path::new(root).exists() {
+            println!("cargo::rerun-if-changed={root}");
+            list(Path::new(root), &mut files);
+        }
+    }
+    files.sort();
+    let mut hash = DefaultHasher::new();
+    for file in files {
+        hash.write(file.to_string_lossy().as_bytes());
+        hash.write(&std::fs::read(&file).expect("a source file can be read"));
+    }
+    println!("cargo::rustc-env=MOSAIC_BUILD={:016x}", hash.finish());
+}
+
+fn list(path: &Path, files: &mut Vec<PathBuf>) {
+    if path.is_file() {
+        files.push(path.to_path_buf());
+        return;
+    }
+    for entry in std::fs::read_dir(path).expect("a source folder can be read") {
+        list(&entry.expect("a source folder can be read").path(), files);
+    }
+}

@@ -1,0 +1,250 @@
+//! Links: a scene written as the fragment of an address, `croton?v=1&s=17&d=12&df=6`, and read back.
+//!
+//! First the plant, then the version, the individual and the day, and then only what differs from the
+//! preset that the plant had in that version.
+
+use super::camera::Orbit;
+use super::parameters::{PARAMETERS, Parameter};
+use super::scene::{FIRST_INDIVIDUAL, Scene};
+use crate::plants::Plant;
+use glam::Vec2;
+use std::fmt::Write;
+
+/// The version that is written. A version's presets are frozen: to change one, raise this number and
+/// keep the old preset for the links of the old version.
+pub const VERSION: u32 = 1;
+
+/// A link that was read: what could be loaded, and in plain words what was left out and why.
+#[derive(Clone, Debug)]
+pub struct Opened {
+    pub scene: Scene,
+    pub left_out: Vec<String>,
+}
+
+/// Writes a scene, without the `#`.
+pub fn write(scene: &Scene) -> String {
+    let Scene { plant, individual, day, .. } = scene;
+    let mut link = format!("{}?v={VERSION}&s={individual}&d={day}", plant.key);
+    let preset = Scene::preset(plant, *individual);
+    for parameter in PARAMETERS {
+        let value = parameter.get(scene);
+        if value != parameter.get(&preset) {
+            let _ = write!(link, "&{}={value}", parameter.key);
+        }
+    }
+    let orbit = scene.orbit.rounded();
+    if orbit != preset.orbit.rounded() {
+        let Orbit { azimuth_deg, elevation_deg, zoom, pan } = orbit;
+        let _ = write!(link, "&view={azimuth_deg},{elevation_deg},{zoom}");
+        if pan != Vec2::ZERO {
+            let _ = write!(link, ",{},{}", pan.x, pan.y);
+        }
+    }
+    link
+}
+
+/// Reads a link with or without its `#`: what is unknown or cannot be is left out and told, the rest
+/// is loaded. `plants` is the catalogue, its first plant the one that stands in.
+pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
+    let text = decode(text.trim().trim_start_matches('#'));
+    let (name, query) = text.split_once('?').unwrap_or((&text, ""));
+    let mut left_out = Vec::new();
+    let plant = plants.iter().find(|p| p.key == name).unwrap_or_else(|| {
+        if !name.is_empty() {
+            let known: Vec<&str> = plants.iter().map(|p| p.key).collect();
+            left_out.push(format!(
+                "There is no plant called “{}” here (there are {}): the {} stands in.",
+                shortened(name),
+                known.join(", "),
+                plants[0].name.to_lowercase()
+            ));
+        }
+        &plants[0]
+    });
+    let mut scene = Scene::preset(plant, FIRST_INDIVIDUAL);
+    let mut wished_day = None;
+    let mut seen: Vec<&str> = Vec::new();
+    for pair in query.split('&').map(|p| p.trim_start_matches("amp;")).filter(|p| !p.is_empty()) {
+        let (key, value) = pair.split_once('=').unwrap_or((pair, ""));
+        let result = if seen.contains(&key) {
+            Err("it stands twice, and the first counts".to_string())
+        } else {
+            match key {
+                "v" => check_version(value),
+                "s" => whole(value).map(|n| scene.individual = n),
+                "d" => whole(value).map(|n| wished_day = Some(n)),
+                "view" => read_orbit(value).map(|orbit| scene.orbit = orbit),
+                _ => read_parameter(&mut scene, key, value),
+            }
+        };
+        seen.push(key);
+        if let Err(why) = result {
+            left_out.push(format!("“{}” was left out: {why}.", shortened(pair)));
+        }
+    }
+    // The last day may have come after the wished one.
+    if let Some(day) = wished_day {
+        scene.day = day.min(scene.recipe.days);
+        if day > scene.recipe.days {
+            left_out.push(format!("Day {day} was left out: this plant grows {} days.", scene.day));
+        }
+    }
+    Opened { scene, left_out }
+}
+
+fn check_version(value: &str) -> Result<(), String> {
+    let version = whole(value)?;
+    match version == VERSION {
+        true => Ok(()),
+        false => Err(format!("this playground reads links of version {VERSION}")),
+    }
+}
+
+fn read_parameter(scene: &mut Scene, key: &str, value: &str) -> Result<(), String> {
+    let Some(parameter) = Parameter::of_key(key) else {
+        return Err("this playground does not know it".to_string());
+    };
+    parameter.set(scene, number(value)?)
+}
+
+fn read_orbit(value: &str) -> Result<Orbit, String> {
+    let numbers = value.split(',').map(|n| number(n).map(|n| n as f32));
+    let (azimuth_deg, elevation_deg, zoom, pan) = match numbers.collect::<Result<Vec<_>, _>>()?[..]
+    {
+        [azimuth, elevation, zoom] => (azimuth, elevation, zoom, Vec2::ZERO),
+        [azimuth, elevation, zoom, x, y] => (azimuth, elevation, zoom, Vec2::new(x, y)),
+        _ => return Err("a view has three or five numbers".to_string()),
+    };
+    Ok(Orbit { azimuth_deg, elevation_deg, zoom, pan }.limited())
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x.is_finite() => Ok(x),
+        _ => Err(format!("“{}” is not a number", shortened(text))),
+    }
+}
+
+fn whole(text: &str) -> Result<u32, String> {
+    text.parse().map_err(|_| format!("it must be a whole number from 0 to {}", u32::MAX))
+}
+
+/// Foreign text in our messages is kept to a glance.
+fn shortened(text: &str) -> String {
+    match text.char_indices().nth(40) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_string(),
+    }
+}
+
+/// Undoes the percent signs that messengers put into addresses.
+fn decode(text: &str) -> String {
+    let bytes = text.as_bytes();
+    let mut plain = Vec::with_capacity(bytes.len());
+    let mut k = 0;
+    while k < bytes.len() {
+        let digits = bytes.get(k + 1..k + 3).and_then(|d| std::str::from_utf8(d).ok());
+        match digits.and_then(|d| u8::from_str_radix(d, 16).ok()) {
+            Some(byte) if bytes[k] == b'%' => {
+                plain.push(byte);
+                k += 3;
+            }
+            _ => {
+                plain.push(bytes[k]);
+                k += 1;
+            }
+        }
+    }
+    String::from_utf8_lossy(&plain).into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::play::testing::PLANTS;
+
+    fn open(text: &str) -> Opened {
+        read(text, PLANTS)
+    }
+
+    #[test]
+    fn an_empty_link_is_the_first_plant() {
+        for text in ["", "#", "#leaf", "#leaf?"] {
+            let opened = open(text);
+            assert!(opened.left_out.is_empty());
+            assert_eq!(write(&opened.scene), "leaf?v=1&s=1&d=3");
+        }
+    }
+
+    #[test]
+    fn a_link_holds_what_differs_and_nothing_else() {
+        let link = "leaf?v=1&s=0&d=2&df=6&ff=0.35&view=30,20,1.5";
+        let opened = open(link);
+        assert_eq!(opened.left_out, [""; 0]);
+        assert_eq!(opened.scene.individual, 0);
+        assert_eq!(opened.scene.recipe.division_days[0], 6.0);
+        assert_eq!(opened.scene.recipe.adhesion[0][0], 0.35);
+        assert_eq!(write(&opened.scene), link);
+    }
+
+    #[test]
+    fn every_parameter_comes_back() {
+        for parameter in PARAMETERS {
+            let mut scene = Scene::preset(&PLANTS[0], 9);
+            let [least, greatest] = parameter.range;
+            parameter.set(&mut scene, least + 0.25 * (greatest - least)).expect(parameter.key);
+            let opened = open(&write(&scene));
+            assert_eq!(opened.left_out, [""; 0], "{}", parameter.key);
+            assert!(opened.scene == scene, "{}", write(&scene));
+            assert_eq!(opened.scene.recipe, scene.recipe);
+        }
+    }
+
+    #[test]
+    fn bad_links_load_what_they_can() {
+        let opened = open("#leaf?v=1&s=17&d=99&df=0.2&zz=3&db=abc&bb=0.9&s=4&view=1,2");
+        assert_eq!(opened.scene.individual, 17);
+        assert_eq!(opened.scene.day, opened.scene.recipe.days);
+        assert_eq!(opened.scene.recipe.adhesion[1][1], 0.9);
+        let told = opened.left_out.join("\n");
+        for part in [
+            "“df=0.2” was left out: it must be from 1.5 to 200 days.",
+            "“zz=3” was left out: this playground does not know it.",
+            "“db=abc” was left out: “abc” is not a number.",
+            "“s=4” was left out: it stands twice",
+            "“view=1,2” was left out: a view has three or five numbers.",
+            "Day 99 was left out: this plant grows 6 days.",
+        ] {
+            assert!(told.contains(part), "{part} is not in\n{told}");
+        }
+        assert_eq!(opened.left_out.len(), 6);
+    }
+
+    #[test]
+    fn foreign_links_are_told_and_replaced() {
+        let opened = open("#section-2?utm=x");
+        assert_eq!(opened.scene.plant.key, "leaf");
+        assert_eq!(opened.left_out.len(), 2);
+        assert!(opened.left_out[0].contains("the leaf stands in"));
+        assert_eq!(open("#leaf?v=7").left_out.len(), 1);
+        // Never a panic, whatever comes.
+        for text in ["#%", "#%zz?%f", "#?&&==&", "#leaf?s=-1&d=1e9&n=NaN&view=,,", "#…?…=…"] {
+            open(text);
+        }
+    }
+
+    #[test]
+    fn messengers_may_mangle() {
+        let opened = open("#leaf%3Fv=1&amp;s=5&view=30%2C20%2C2");
+        assert_eq!(opened.left_out, [""; 0]);
+        assert_eq!(opened.scene.individual, 5);
+        assert_eq!(opened.scene.orbit.zoom, 2.0);
+    }
+
+    #[test]
+    fn preset_individual_and_day_stay_short() {
+        for plant in PLANTS.iter().chain(crate::plants::all()) {
+            assert!(write(&Scene::preset(plant, u32::MAX)).len() < 100);
+        }
+    }
+}

@@ -1,0 +1,431 @@
+//! The page's brain: takes what visitor and worker do, keeps the scene and what is shown of it, and
+//! says what is to be done. It knows no browser; whoever hosts it brings the screen into agreement
+//! with `shown`, `camera` and the rest after each event.
+
+use super::camera::Camera;
+use super::history::{Change, History};
+use super::link;
+use super::parameters::Parameter;
+use super::playhead::Playhead;
+use super::protocol::{BUILD, ToPage, ToWorker};
+use super::run::{DayFacts, End, Run};
+use super::scene::Scene;
+use super::words;
+use crate::plants::Plant;
+use glam::Vec2;
+
+/// What can happen to the page.
+#[derive(Clone, Debug)]
+pub enum Event {
+    /// A link was opened: the fragment of an address.
+    OpenLink(String),
+    /// The key of a plant was chosen: its preset, with the individual that is shown.
+    ChoosePlant(String),
+    /// Another individual of the same plant.
+    Individual(u32),
+    /// A parameter, by its key, was changed.
+    Change {
+        key: &'static str,
+        value: f64,
+    },
+    /// All parameters back to the preset.
+    ResetParameters,
+    /// A day is wished.
+    Seek(u32),
+    /// Days on (or back) from the wished one.
+    StepDays(i32),
+    /// The visitor's hand is on the time line, at a time in days.
+    Scrub(f64),
+    /// The hand lets go.
+    LetGo,
+    PlayOrPause,
+    /// Times the usual speed.
+    Speed(f64),
+    Loop(bool),
+    /// Degrees to the right and upwards.
+    Turn {
+        right_deg: f32,
+        up_deg: f32,
+    },
+    /// See `Orbit::zoomed`.
+    Zoom {
+        factor: f32,
+        at: Vec2,
+    },
+    /// See `Orbit::panned`.
+    Pan(Vec2),
+    ResetView,
+    Undo,
+    Redo,
+    /// Whether the visitor asked for less motion.
+    LessMotion(bool),
+    /// Time has passed, in seconds.
+    Tick(f64),
+    FromWorker(ToPage),
+    /// There is no worker, and why.
+    WorkerLost(String),
+    /// What `shown` says is on the screen.
+    Drawn,
+}
+
+/// What the page's host has to do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Effect {
+    Post(ToWorker),
+    /// The worker is of another build: load the page again, once.
+    Reload,
+    /// The address of what is shown, without `#`.
+    WriteLink(String),
+    /// For the live region.
+    Say(String),
+    /// Messages for the visitor, to be dismissed by hand; they replace older ones.
+    Tell(Vec<String>),
+}
+
+/// Where the page stands, as `data-state` says it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// Nothing has grown yet.
+    Loading,
+    /// The wished day is not on the screen yet.
+    Growing,
+    /// The wished day is on the screen.
+    Ready,
+    /// It will not come; the messages say why.
+    Error,
+}
+
+/// What is to be on the screen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    pub plant: &'static str,
+    pub individual: u32,
+    /// The growth that the day is of.
+    pub generation: u32,
+    /// None: the bare body.
+    pub day: Option<ShownDay>,
+}
+
+/// A day on the screen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShownDay {
+    pub day: u32,
+    /// How far the cells are on their way from the day before, 0 to 1.
+    pub moment: f32,
+    pub facts: DayFacts,
+}
+
+/// The page without its browser.
+pub struct Page {
+    plants: &'static [Plant],
+    scene: Scene,
+    history: History,
+    run: Run,
+    playhead: Playhead,
+    camera: Camera,
+    shown: Shown,
+    drawn: Option<Shown>,
+    worker_listens: bool,
+    broken: bool,
+    less_motion: bool,
+    written: String,
+    said: String,
+}
+
+impl Page {
+    /// Opens a link. The growth is asked for when the worker says hello.
+    pub fn open(fragment: &str, plants: &'static [Plant]) -> (Page, Vec<Effect>) {
+        let opened = link::read(fragment, plants);
+        let scene = opened.scene;
+        let mut page = Page {
+            plants,
+            history: History::new(scene.clone()),
+            run: Run::new(1, scene.clone()),
+            playhead: Playhead::new(scene.day),
+            camera: Camera::new(scene.orbit),
+            shown: bare(&scene),
+            drawn: None,
+            worker_listens: false,
+            broken: false,
+            less_motion: false,
+            written: String::new(),
+            said: String::new(),
+            scene,
+        };
+        let mut effects = vec![Effect::Tell(opened.left_out)];
+        page.settle(&mut effects);
+        (page, effects)
+    }
+
+    /// Takes an event; the effects are to be done in their order.
+    pub fn hear(&mut self, event: Event) -> Vec<Effect> {
+        let mut effects = Vec::new();
+        let change = match &event {
+            Event::Change { key, .. } => Change::Parameter(key),
+            Event::Turn { .. } | Event::Zoom { .. } | Event::Pan(_) | Event::Tick(_) => {
+                Change::View
+            }
+            _ => Change::Other,
+        };
+        self.take(event, &mut effects);
+        self.show();
+        if self.is_settled() {
+            self.scene.day = self.playhead.wished_day();
+            self.scene.orbit = self.camera.wished();
+            if self.scene != *self.history.now() {
+                self.history.go_on(self.scene.clone(), change);
+            }
+            self.settle(&mut effects);
+        }
+        effects
+    }
+
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The growth whose days can be shown.
+    pub fn run(&self) -> &Run {
+        &self.run
+    }
+
+    pub fn shown(&self) -> &Shown {
+        &self.shown
+    }
+
+    /// What is on the screen now.
+    pub fn drawn(&self) -> Option<&Shown> {
+        self.drawn.as_ref()
+    }
+
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    pub fn playhead(&self) -> &Playhead {
+        &self.playhead
+    }
+
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// Whether the next frame will differ from this one by itself.
+    pub fn is_moving(&self) -> bool {
+        !self.camera.at_rest() || self.playhead.is_moving(self.run.newest(), self.run.last_day())
+    }
+
+    pub fn state(&self) -> State {
+        if self.broken || matches!(self.run.end, Some(End::Failed(_))) {
+            return State::Error;
+        }
+        let Some(Shown { generation, day: Some(day), .. }) = &self.drawn else {
+            return State::Loading;
+        };
+        let arrived = self.playhead.is_playing() || day.moment == 1.0;
+        let wished = day.day == self.playhead.wished_day() && *generation == self.run.generation;
+        if wished && arrived { State::Ready } else { State::Growing }
+    }
+
+    /// The picture in words: `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
+    pub fn description(&self) -> String {
+        match &self.shown.day {
+            Some(day) => words::describe(self.scene.plant, self.shown.individual, day),
+            None => format!("{}, individual {}", self.scene.plant.name, self.scene.individual),
+        }
+    }
+
+    fn take(&mut self, event: Event, effects: &mut Vec<Effect>) {
+        let (newest, last_day) = (self.run.newest(), self.run.last_day());
+        match event {
+            Event::OpenLink(fragment) => {
+                let opened = link::read(&fragment, self.plants);
+                effects.push(Effect::Tell(opened.left_out));
+                // The address bar holds what was typed: it is to hold what was understood.
+                self.written.clear();
+                self.adopt(opened.scene, effects);
+            }
+            Event::ChoosePlant(key) => {
+                if let Some(plant) = self.plants.iter().find(|p| p.key == key) {
+                    effects.push(Effect::Tell(Vec::new()));
+                    self.adopt(Scene::preset(plant, self.scene.individual), effects);
+                }
+            }
+            Event::Individual(individual) => {
+                self.adopt(Scene { individual, ..self.wished_scene() }, effects);
+            }
+            Event::Change { key, value } => {
+                let Some(parameter) = Parameter::of_key(key) else { return };
+                let mut scene = self.wished_scene();
+                match parameter.set(&mut scene, value) {
+                    Ok(()) => self.adopt(scene, effects),
+                    Err(why) => {
+                        let label = parameter.label(scene.plant);
+                        effects.push(Effect::Tell(vec![format!("{label}: {why}.")]));
+                    }
+                }
+            }
+            Event::ResetParameters => {
+                let wished = self.wished_scene();
+                let preset = Scene::preset(wished.plant, wished.individual);
+                let day = wished.day.min(preset.recipe.days);
+                self.adopt(Scene { day, orbit: wished.orbit, ..preset }, effects);
+            }
+            Event::Seek(day) => self.playhead.seek(day.min(last_day), newest),
+            Event::StepDays(by) => {
+                let day = self.playhead.wished_day().saturating_add_signed(by);
+                self.playhead.seek(day.min(last_day), newest);
+            }
+            Event::Scrub(time) => self.playhead.scrub(time, newest, last_day),
+            Event::LetGo => self.playhead.let_go(),
+            Event::PlayOrPause if self.playhead.is_playing() => self.playhead.pause(),
+            Event::PlayOrPause => self.playhead.play(last_day),
+            Event::Speed(speed) => self.playhead.speed = speed,
+            Event::Loop(looping) => self.playhead.looping = looping,
+            Event::Turn { right_deg, up_deg } => {
+                self.camera.wish(self.camera.wished().turned(right_deg, up_deg));
+            }
+            Event::Zoom { factor, at } => self.camera.wish(self.camera.wished().zoomed(factor, at)),
+            Event::Pan(by) => self.camera.wish(self.camera.wished().panned(by)),
+            Event::ResetView => {
+                self.camera.wish(Scene::preset(self.scene.plant, 0).orbit);
+            }
+            Event::Undo => {
+                if let Some(scene) = self.history.undo().cloned() {
+                    self.adopt(scene, effects);
+                }
+            }
+            Event::Redo => {
+                if let Some(scene) = self.history.redo().cloned() {
+                    self.adopt(scene, effects);
+                }
+            }
+            Event::LessMotion(less) => {
+                self.less_motion = less;
+                self.playhead.whole_days = less;
+            }
+            Event::Tick(seconds) => {
+                self.playhead.advance(seconds, newest, last_day);
+                self.camera.advance(seconds as f32);
+            }
+            Event::FromWorker(answer) => self.listen(answer, effects),
+            Event::WorkerLost(why) => {
+                self.broken = true;
+                effects.push(Effect::Tell(vec![why]));
+            }
+            Event::Drawn => self.drawn = Some(self.shown.clone()),
+        }
+        if self.less_motion {
+            self.camera.jump();
+        }
+    }
+
+    fn listen(&mut self, answer: ToPage, effects: &mut Vec<Effect>) {
+        let current = self.run.generation;
+        match answer {
+            ToPage::Hello { build } if build != BUILD => effects.push(Effect::Reload),
+            ToPage::Hello { .. } => {
+                self.worker_listens = true;
+                effects.push(self.wish());
+            }
+            ToPage::Day(news) => {
+                let first = self.run.newest().is_none();
+                self.run.add(news);
+                // The first day is seen at once, and so is each with less motion.
+                if first || self.less_motion {
+                    self.playhead.advance(0.0, self.run.newest(), self.run.last_day());
+                }
+            }
+            ToPage::Full { generation } if generation == current => {
+                self.run.end = Some(End::Full);
+                effects.push(Effect::Tell(vec![words::full(&self.run)]));
+                self.stay_within_grown();
+            }
+            ToPage::Done { generation } if generation == current => {
+                self.run.end = Some(End::Done);
+                self.stay_within_grown();
+            }
+            ToPage::Failed { generation, text } if generation == current => {
+                effects.push(Effect::Tell(vec![format!("This cannot be grown: {text}.")]));
+                self.run.end = Some(End::Failed(text));
+            }
+            ToPage::Full { .. } | ToPage::Done { .. } | ToPage::Failed { .. } => {}
+        }
+    }
+
+    /// After a growth ended early no later day may be waited for.
+    fn stay_within_grown(&mut self) {
+        if self.playhead.wished_day() > self.run.last_day() {
+            self.playhead.seek(self.run.last_day(), self.run.newest());
+        }
+    }
+
+    /// The scene with the day and the view that are wished now.
+    fn wished_scene(&self) -> Scene {
+        let day = self.playhead.wished_day();
+        Scene { day, orbit: self.camera.wished(), ..self.scene.clone() }
+    }
+
+    /// Makes a scene the wished one: grows again only if it must.
+    fn adopt(&mut self, scene: Scene, effects: &mut Vec<Effect>) {
+        self.camera.wish(scene.orbit);
+        if scene.plant.key != self.scene.plant.key {
+            self.camera.jump();
+        }
+        if scene.grows_like(&self.run.scene) {
+            self.playhead.seek(scene.day, self.run.newest());
+        } else {
+            self.playhead.restart(scene.day);
+            self.run = Run::new(self.run.generation + 1, scene.clone());
+            if self.worker_listens {
+                effects.push(self.wish());
+            }
+        }
+        self.scene = scene;
+    }
+
+    fn wish(&self) -> Effect {
+        let Run { generation, scene, .. } = &self.run;
+        Effect::Post(ToWorker::Grow { generation: *generation, link: link::write(scene) })
+    }
+
+    /// Decides what is to be on the screen. While nothing of a new growth has come, the picture
+    /// before stays, unless it is of another plant.
+    fn show(&mut self) {
+        let (day, moment) = self.playhead.day_and_moment();
+        if let Some(facts) = self.run.facts(day) {
+            self.shown = Shown {
+                generation: self.run.generation,
+                day: Some(ShownDay { day, moment, facts: facts.clone() }),
+                ..bare(&self.run.scene)
+            };
+        } else if self.shown.plant != self.scene.plant.key {
+            self.shown = bare(&self.scene);
+        }
+    }
+
+    /// Neither time nor camera is under way, except to days that are yet to grow.
+    fn is_settled(&self) -> bool {
+        self.camera.at_rest() && self.playhead.is_settled()
+    }
+
+    /// Writes the link and says what is shown, if they changed.
+    fn settle(&mut self, effects: &mut Vec<Effect>) {
+        let link = link::write(&self.scene);
+        if link != self.written {
+            self.written.clone_from(&link);
+            effects.push(Effect::WriteLink(link));
+        }
+        if self.state() == State::Ready {
+            let said = self.description();
+            if said != self.said {
+                self.said.clone_from(&said);
+                effects.push(Effect::Say(said));
+            }
+        }
+    }
+}
+
+fn bare(scene: &Scene) -> Shown {
+    Shown { plant: scene.plant.key, individual: scene.individual, generation: 0, day: None }
+}

@@ -1,0 +1,232 @@
+//! What page and worker say to each other, and how it is written in 32-bit words. The worker speaks
+//! first, with its version; then the page asks for growths, and the worker answers day by day.
+
+use crate::surface::Place;
+use crate::tissue::{CellType, Lineage};
+
+/// The build that page and worker must share: a hash of all sources.
+pub const BUILD: &str = env!("MOSAIC_BUILD");
+
+/// From the page to the worker.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ToWorker {
+    /// Grow the scene of a link; whatever grew before stops. Every answer carries the number.
+    Grow { generation: u32, link: String },
+}
+
+/// From the worker to the page.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ToPage {
+    /// The worker listens; `build` is its own `BUILD`.
+    Hello {
+        build: String,
+    },
+    Day(DayNews),
+    /// The population reached its cap: no further day comes.
+    Full {
+        generation: u32,
+    },
+    /// All days have grown.
+    Done {
+        generation: u32,
+    },
+    /// The growth cannot go on; the text is for the visitor.
+    Failed {
+        generation: u32,
+        text: String,
+    },
+}
+
+/// A day that has grown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DayNews {
+    pub generation: u32,
+    pub day: u32,
+    /// In centimetres.
+    pub repulsive_radius: f32,
+    pub fingerprint: String,
+    /// Of all cells of the day.
+    pub places: Vec<Place>,
+    /// Of the cells that were not there the day before: the last ones of `places`.
+    pub newborn: Vec<Lineage>,
+}
+
+/// Why words are no message.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("a message between page and worker is not readable")]
+pub struct ProtocolError;
+
+const GROW: u32 = 1;
+const HELLO: u32 = 2;
+const DAY: u32 = 3;
+const FULL: u32 = 4;
+const DONE: u32 = 5;
+const FAILED: u32 = 6;
+
+impl ToWorker {
+    pub fn to_words(&self) -> Vec<u32> {
+        let ToWorker::Grow { generation, link } = self;
+        let mut words = vec![GROW, *generation];
+        push_text(&mut words, link);
+        words
+    }
+
+    pub fn from_words(words: &[u32]) -> Result<ToWorker, ProtocolError> {
+        let mut reader = Reader(words);
+        let message = match reader.word()? {
+            GROW => ToWorker::Grow { generation: reader.word()?, link: reader.text()? },
+            _ => return Err(ProtocolError),
+        };
+        reader.end(message)
+    }
+}
+
+impl ToPage {
+    pub fn to_words(&self) -> Vec<u32> {
+        match self {
+            ToPage::Hello { build } => {
+                let mut words = vec![HELLO];
+                push_text(&mut words, build);
+                words
+            }
+            ToPage::Day(news) => {
+                let (cells, newborn) = (news.places.len(), news.newborn.len());
+                let mut words = Vec::with_capacity(16 + 3 * cells + 4 * newborn);
+                words.extend([DAY, news.generation, news.day, news.repulsive_radius.to_bits()]);
+                push_text(&mut words, &news.fingerprint);
+                words.extend([cells as u32, newborn as u32]);
+                words.extend_from_slice(bytemuck::cast_slice(&news.places));
+                for cell in &news.newborn {
+                    words.extend([cell.parent, cell.founder, cell.born_day, cell.kind as u32]);
+                }
+                words
+            }
+            ToPage::Full { generation } => vec![FULL, *generation],
+            ToPage::Done { generation } => vec![DONE, *generation],
+            ToPage::Failed { generation, text } => {
+                let mut words = vec![FAILED, *generation];
+                push_text(&mut words, text);
+                words
+            }
+        }
+    }
+
+    pub fn from_words(words: &[u32]) -> Result<ToPage, ProtocolError> {
+        let mut reader = Reader(words);
+        let message = match reader.word()? {
+            HELLO => ToPage::Hello { build: reader.text()? },
+            DAY => ToPage::Day(reader.day()?),
+            FULL => ToPage::Full { generation: reader.word()? },
+            DONE => ToPage::Done { generation: reader.word()? },
+            FAILED => ToPage::Failed { generation: reader.word()?, text: reader.text()? },
+            _ => return Err(ProtocolError),
+        };
+        reader.end(message)
+    }
+}
+
+/// A text is its length in bytes and its bytes, four to a word.
+fn push_text(words: &mut Vec<u32>, text: &str) {
+    words.push(text.len() as u32);
+    words.extend(text.as_bytes().chunks(4).map(|four| {
+        let mut bytes = [0; 4];
+        bytes[..four.len()].copy_from_slice(four);
+        u32::from_le_bytes(bytes)
+    }));
+}
+
+struct Reader<'a>(&'a [u32]);
+
+impl<'a> Reader<'a> {
+    fn word(&mut self) -> Result<u32, ProtocolError> {
+        Ok(self.words(1)?[0])
+    }
+
+    fn words(&mut self, count: usize) -> Result<&'a [u32], ProtocolError> {
+        let (head, rest) = self.0.split_at_checked(count).ok_or(ProtocolError)?;
+        self.0 = rest;
+        Ok(head)
+    }
+
+    fn text(&mut self) -> Result<String, ProtocolError> {
+        let length = self.word()? as usize;
+        let words = self.words(length.div_ceil(4))?;
+        let mut bytes: Vec<u8> = words.iter().flat_map(|w| w.to_le_bytes()).collect();
+        bytes.truncate(length);
+        String::from_utf8(bytes).map_err(|_| ProtocolError)
+    }
+
+    fn day(&mut self) -> Result<DayNews, ProtocolError> {
+        let generation = self.word()?;
+        let day = self.word()?;
+        let repulsive_radius = f32::from_bits(self.word()?);
+        let fingerprint = self.text()?;
+        let (cells, newborn) = (self.word()? as usize, self.word()? as usize);
+        let places = self.words(cells.checked_mul(3).ok_or(ProtocolError)?)?;
+        let places = bytemuck::cast_slice(places).to_vec();
+        let newborn = self
+            .words(newborn.checked_mul(4).ok_or(ProtocolError)?)?
+            .chunks_exact(4)
+            .map(|w| {
+                let kind = CellType::ALL.get(w[3] as usize).copied().ok_or(ProtocolError)?;
+                Ok(Lineage { parent: w[0], founder: w[1], born_day: w[2], kind })
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(DayNews { generation, day, repulsive_radius, fingerprint, places, newborn })
+    }
+
+    fn end<T>(&self, message: T) -> Result<T, ProtocolError> {
+        if self.0.is_empty() { Ok(message) } else { Err(ProtocolError) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn answers() -> Vec<ToPage> {
+        let place = |triangle| Place { triangle, b1: 0.25, b2: 0.5 };
+        vec![
+            ToPage::Hello { build: "ünïcode 123".to_string() },
+            ToPage::Day(DayNews {
+                generation: 7,
+                day: 3,
+                repulsive_radius: 0.125,
+                fingerprint: "k3v9qa".to_string(),
+                places: vec![place(5), place(6)],
+                newborn: vec![Lineage {
+                    parent: 0,
+                    founder: 0,
+                    born_day: 3,
+                    kind: CellType::Background,
+                }],
+            }),
+            ToPage::Full { generation: 1 },
+            ToPage::Done { generation: 2 },
+            ToPage::Failed { generation: 3, text: String::new() },
+        ]
+    }
+
+    #[test]
+    fn messages_come_back() {
+        for message in answers() {
+            assert_eq!(ToPage::from_words(&message.to_words()), Ok(message));
+        }
+        let wish = ToWorker::Grow { generation: 4, link: "leaf?v=1&s=2&d=3".to_string() };
+        assert_eq!(ToWorker::from_words(&wish.to_words()), Ok(wish));
+    }
+
+    #[test]
+    fn anything_else_is_refused() {
+        for message in answers() {
+            let words = message.to_words();
+            for cut in 0..words.len() {
+                assert_eq!(ToPage::from_words(&words[..cut]), Err(ProtocolError));
+            }
+            assert_eq!(ToPage::from_words(&[&words[..], &[0]].concat()), Err(ProtocolError));
+        }
+        assert_eq!(ToPage::from_words(&[99]), Err(ProtocolError));
+        assert_eq!(ToPage::from_words(&[HELLO, u32::MAX]), Err(ProtocolError));
+        assert_eq!(ToPage::from_words(&[DAY, 0, 0, 0, 0, u32::MAX, u32::MAX]), Err(ProtocolError));
+    }
+}

@@ -1,0 +1,58 @@
+//! A scene: everything that decides the picture, in one value. A link is a scene written down, a
+//! preset is a scene with a name, and every control makes the same scene with one thing changed.
+
+use super::camera::Orbit;
+use super::link;
+use crate::plants::{Look, Plant};
+use crate::tissue::Recipe;
+
+/// The individual that a visitor meets first.
+pub const FIRST_INDIVIDUAL: u32 = 1;
+
+/// Everything that decides the picture.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    pub plant: &'static Plant,
+    /// The seed; every u32 is one, 0 too.
+    pub individual: u32,
+    /// The wished day, `0..=recipe.days`.
+    pub day: u32,
+    /// The preset of the plant with the visitor's changes.
+    pub recipe: Recipe,
+    /// The colours of the plant with the visitor's changes.
+    pub look: Look,
+    pub orbit: Orbit,
+}
+
+impl Scene {
+    /// The named state of a plant, as the catalogue has it.
+    pub fn preset(plant: &'static Plant, individual: u32) -> Scene {
+        Scene {
+            plant,
+            individual,
+            day: plant.first_day.min(plant.recipe.days),
+            recipe: plant.recipe.clone(),
+            look: plant.look.clone(),
+            orbit: Orbit::of(&plant.view),
+        }
+    }
+
+    /// Whether two scenes need the same growth (their days and looks may differ).
+    pub fn grows_like(&self, other: &Scene) -> bool {
+        self.plant.key == other.plant.key
+            && self.individual == other.individual
+            && self.recipe == other.recipe
+    }
+
+    /// Whether two scenes differ at most in how they are looked at.
+    pub fn differs_only_in_view(&self, other: &Scene) -> bool {
+        Scene { orbit: other.orbit, ..self.clone() } == *other
+    }
+}
+
+/// Two scenes are equal when their links are.
+impl PartialEq for Scene {
+    fn eq(&self, other: &Scene) -> bool {
+        link::write(self) == link::write(other)
+    }
+}

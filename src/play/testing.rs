@@ -1,0 +1,56 @@
+//! Small plants for the tests of this room, so that they need no catalogue and grow in no time.
+
+use crate::plants::{Look, Plant, View};
+use crate::surface::{Body, Face, PolygonMesh};
+use crate::tissue::Recipe;
+use glam::Vec3;
+
+/// Two plants of one square sheet each.
+pub const PLANTS: &[Plant] = &[plant("leaf", "Leaf", 6), plant("fruit", "Fruit", 4)];
+
+const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
+    Plant {
+        key,
+        name,
+        latin: "Folium quadratum",
+        source: "made for tests",
+        colour_names: ["yellow", "green", ""],
+        recipe: Recipe {
+            initial_cells: 100,
+            initial_probability: [0.5, 0.5, 0.0],
+            division_days: [5.0, 8.0, 10.0],
+            mutation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            adhesion: [[0.5, 0.0, 0.0], [0.0, 0.8, 0.0], [0.0, 0.0, 0.0]],
+            radius_scale: 1.0,
+            repulsion: 0.09,
+            initial_relaxations: 3,
+            relaxations_per_day: 2,
+            days,
+            max_cells: 100_000,
+        },
+        first_day: 3,
+        look: Look {
+            cells: [[0.9, 0.8, 0.2], [0.1, 0.4, 0.2], [0.5, 0.5, 0.5]],
+            variation: 0.1,
+            border: 0.3,
+            gloss: 0.5,
+            veins: false,
+            bare: &[],
+        },
+        view: View { azimuth_deg: 0.0, elevation_deg: 20.0, zoom: 1.0 },
+        body: sheet,
+        controls: Vec::new,
+    }
+}
+
+/// A square of 4 by 4 centimetres in 32 triangles.
+fn sheet() -> Body {
+    let positions = (0..25).map(|k| Vec3::new((k % 5) as f32, 1.0, -((k / 5) as f32))).collect();
+    let corner = |k: u32| (k % 4) + 5 * (k / 4);
+    let faces = (0..16)
+        .map(corner)
+        .map(|v| Face { vertices: vec![v, v + 1, v + 6, v + 5], group: 0 })
+        .collect();
+    let polygons = PolygonMesh { positions, faces, ..PolygonMesh::default() };
+    Body::new(&polygons).expect("a sheet is a surface")
+}

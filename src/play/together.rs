@@ -1,0 +1,268 @@
+//! Page and worker joined in memory: what a visitor does, from event to picture.
+
+use super::page::{Effect, Event, Page, State};
+use super::protocol::{ToPage, ToWorker};
+use super::testing::PLANTS;
+use super::worker::Worker;
+use super::{End, link};
+use crate::tissue::{Growth, Progress};
+use std::sync::Arc;
+
+/// A page and a worker with a mailbox between them, through the words of the protocol.
+struct Together {
+    page: Page,
+    worker: Worker,
+    links: Vec<String>,
+    said: Vec<String>,
+    told: Vec<String>,
+    wishes: usize,
+}
+
+impl Together {
+    fn open(fragment: &str) -> Together {
+        let (page, effects) = Page::open(fragment, PLANTS);
+        let mut all = Together {
+            page,
+            worker: Worker::new(PLANTS),
+            links: Vec::new(),
+            said: Vec::new(),
+            told: Vec::new(),
+            wishes: 0,
+        };
+        all.take(effects);
+        all.hear(Event::FromWorker(Worker::hello()));
+        all
+    }
+
+    fn hear(&mut self, event: Event) {
+        let effects = self.page.hear(event);
+        self.take(effects);
+        let drawn = self.page.hear(Event::Drawn);
+        self.take(drawn);
+    }
+
+    fn take(&mut self, effects: Vec<Effect>) {
+        for effect in effects {
+            match effect {
+                Effect::Post(wish) => {
+                    self.wishes += 1;
+                    let wish = ToWorker::from_words(&wish.to_words()).unwrap();
+                    if let Some(answer) = self.worker.hear(wish) {
+                        self.hear(Event::FromWorker(answer));
+                    }
+                }
+                Effect::WriteLink(link) => self.links.push(link),
+                Effect::Say(text) => self.said.push(text),
+                Effect::Tell(texts) => self.told = texts,
+                Effect::Reload => panic!("a stranger"),
+            }
+        }
+    }
+
+    /// Lets the worker do one relaxation event.
+    fn work(&mut self) {
+        let mut answers = Vec::new();
+        self.worker.work(|| true, |answer| answers.push(answer));
+        for answer in answers {
+            let answer = ToPage::from_words(&answer.to_words()).unwrap();
+            self.hear(Event::FromWorker(answer));
+        }
+    }
+
+    fn work_until_day(&mut self, day: u32) {
+        while self.page.run().newest() < Some(day) {
+            self.work();
+        }
+    }
+
+    fn finish(&mut self) {
+        while self.worker.is_busy() {
+            self.work();
+        }
+        self.rest();
+    }
+
+    /// Lets time pass until nothing moves.
+    fn rest(&mut self) {
+        for _ in 0..10_000 {
+            if !self.page.is_moving() {
+                return;
+            }
+            self.hear(Event::Tick(1.0 / 60.0));
+        }
+        panic!("never at rest");
+    }
+
+    fn drawn_day(&self) -> Option<u32> {
+        self.page.drawn().and_then(|d| d.day.as_ref()).map(|d| d.day)
+    }
+
+    fn fingerprint(&self) -> String {
+        self.page.drawn().and_then(|d| d.day.as_ref()).unwrap().facts.fingerprint.clone()
+    }
+}
+
+/// The fingerprint that the model gives without page and worker.
+fn fingerprint_of(fragment: &str) -> String {
+    let scene = link::read(fragment, PLANTS).scene;
+    let mesh = Arc::new((scene.plant.body)().surface);
+    let mut growth = Growth::new(mesh, scene.recipe, &[], scene.individual).unwrap();
+    while growth.step() != Progress::Day(scene.day) {}
+    growth.diary.fingerprint(scene.day as usize)
+}
+
+#[test]
+fn a_link_is_opened_and_rests_on_its_day() {
+    let mut all = Together::open("#leaf?v=1&s=17&d=4");
+    assert_eq!(all.page.state(), State::Loading);
+    all.work_until_day(0);
+    assert_eq!((all.page.state(), all.drawn_day()), (State::Growing, Some(0)));
+    all.work_until_day(4);
+    all.rest();
+    assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(4)));
+    all.finish();
+    assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(4)));
+    assert_eq!(all.page.run().end, Some(End::Done));
+    assert_eq!(all.fingerprint(), fingerprint_of("#leaf?v=1&s=17&d=4"));
+    assert_eq!(all.links, ["leaf?v=1&s=17&d=4"]);
+    assert_eq!(all.wishes, 1);
+    let cells = all.page.run().facts(4).unwrap().count.cells;
+    assert!(all.said.last().unwrap().starts_with("Leaf, individual 17, day 4: "));
+    assert!(all.said.last().unwrap().contains(&super::words::grouped(cells)));
+}
+
+#[test]
+fn held_days_need_no_worker() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=6");
+    all.finish();
+    for day in [0, 5, 2, 6] {
+        all.hear(Event::Seek(day));
+        all.rest();
+        assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(day)));
+        assert_eq!(all.fingerprint(), fingerprint_of(&format!("#leaf?v=1&s=1&d={day}")));
+    }
+    assert_eq!(all.wishes, 1);
+    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=6");
+}
+
+#[test]
+fn the_newest_wish_wins() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=6");
+    all.work_until_day(2);
+    all.rest();
+    all.hear(Event::Individual(2));
+    // The picture before stays until something of the new one has grown.
+    assert_eq!(all.page.state(), State::Growing);
+    assert_eq!(all.page.drawn().unwrap().individual, 1);
+    all.hear(Event::Individual(3));
+    all.hear(Event::ChoosePlant("fruit".to_string()));
+    assert_eq!(all.page.state(), State::Loading);
+    assert_eq!(all.page.drawn().unwrap().plant, "fruit");
+    all.finish();
+    assert_eq!(all.page.drawn().unwrap().individual, 3);
+    assert_eq!(all.fingerprint(), fingerprint_of("#fruit?v=1&s=3&d=3"));
+    assert_eq!(all.page.run().generation, 4);
+}
+
+#[test]
+fn a_day_to_come_is_followed() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=1");
+    all.work_until_day(2);
+    all.rest();
+    assert_eq!(all.page.state(), State::Ready);
+    all.hear(Event::Seek(5));
+    all.rest();
+    assert_eq!((all.page.state(), all.drawn_day()), (State::Growing, Some(2)));
+    all.work_until_day(4);
+    all.rest();
+    assert_eq!((all.page.state(), all.drawn_day()), (State::Growing, Some(4)));
+    all.finish();
+    assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(5)));
+}
+
+#[test]
+fn playing_goes_to_the_end_and_the_link_follows_at_rest() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=0");
+    all.finish();
+    let links = all.links.len();
+    all.hear(Event::PlayOrPause);
+    let mut moments = 0;
+    while all.page.playhead().is_playing() {
+        all.hear(Event::Tick(1.0 / 60.0));
+        let day = all.page.shown().day.clone().unwrap();
+        moments += usize::from(day.moment < 1.0);
+        if all.page.playhead().is_playing() {
+            assert_eq!(all.links.len(), links);
+        }
+    }
+    assert!(moments > 100, "cells move between the days");
+    assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(6)));
+    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=6");
+}
+
+#[test]
+fn parameters_regrow_or_not_and_can_be_undone() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=2");
+    all.finish();
+    let before = all.fingerprint();
+    all.hear(Event::Change { key: "bo", value: 0.8 });
+    assert_eq!((all.wishes, all.page.state()), (1, State::Ready));
+    all.hear(Event::Change { key: "df", value: 3.0 });
+    all.hear(Event::Change { key: "df", value: 2.5 });
+    all.finish();
+    assert_eq!(all.wishes, 3);
+    assert_ne!(all.fingerprint(), before);
+    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=2&df=2.5&bo=0.8");
+    all.hear(Event::Undo);
+    all.finish();
+    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=2&bo=0.8");
+    assert_eq!(all.fingerprint(), before);
+    all.hear(Event::Redo);
+    all.hear(Event::ResetParameters);
+    all.finish();
+    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=2");
+    all.hear(Event::Change { key: "df", value: 0.1 });
+    assert_eq!(all.told, ["Days between divisions, yellow: it must be from 1.5 to 200 days."]);
+}
+
+#[test]
+fn a_full_population_ends_the_line_of_days() {
+    static CROWDED: std::sync::LazyLock<Vec<crate::plants::Plant>> =
+        std::sync::LazyLock::new(|| {
+            let mut plant = PLANTS[0].clone();
+            plant.recipe.max_cells = 130;
+            vec![plant]
+        });
+    let (mut page, _) = Page::open("#leaf?v=1&s=1&d=6", &CROWDED);
+    let mut worker = Worker::new(&CROWDED);
+    let mut told = Vec::new();
+    for effect in page.hear(Event::FromWorker(Worker::hello())) {
+        let Effect::Post(wish) = effect else { continue };
+        assert_eq!(worker.hear(wish), None);
+    }
+    let mut answers = Vec::new();
+    worker.work(|| false, |answer| answers.push(answer));
+    for answer in answers {
+        for effect in page.hear(Event::FromWorker(answer)) {
+            if let Effect::Tell(texts) = effect {
+                told = texts;
+            }
+        }
+    }
+    while page.is_moving() {
+        page.hear(Event::Tick(0.1));
+    }
+    page.hear(Event::Drawn);
+    let last = page.run().last_day();
+    assert!((1..6).contains(&last));
+    assert_eq!(page.state(), State::Ready);
+    assert_eq!(page.scene().day, last);
+    assert!(told[0].starts_with(&format!("Growth ended on day {last}")), "{told:?}");
+}
+
+#[test]
+fn a_stranger_is_sent_away() {
+    let (mut page, _) = Page::open("", PLANTS);
+    let hello = ToPage::Hello { build: "another".to_string() };
+    assert_eq!(page.hear(Event::FromWorker(hello)), [Effect::Reload]);
+}

@@ -1,0 +1,64 @@
+//! What the page says of a picture, in words.
+
+use super::page::ShownDay;
+use super::run::Run;
+use crate::plants::Plant;
+
+/// `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
+pub fn describe(plant: &Plant, individual: u32, day: &ShownDay) -> String {
+    let count = day.facts.count;
+    format!(
+        "{}, individual {individual}, day {}: {} {}, {} {}",
+        plant.name,
+        day.day,
+        grouped(count.cells),
+        if count.cells == 1 { "cell" } else { "cells" },
+        share(count.by_type[0], count.cells),
+        plant.colour_names[0]
+    )
+}
+
+/// A share in percent, never rounded to none or all when it is not: `38%`, `under 1%`.
+pub fn share(part: u32, whole: u32) -> String {
+    let percent = (f64::from(part) / f64::from(whole.max(1)) * 100.0).round() as u32;
+    match percent {
+        0 if part > 0 => "under 1%".to_string(),
+        100 if part < whole => "over 99%".to_string(),
+        _ => format!("{percent}%"),
+    }
+}
+
+/// A whole number in groups of three: `31,402`.
+pub fn grouped(number: u32) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (k, digit) in digits.chars().enumerate() {
+        if k > 0 && (digits.len() - k) % 3 == 0 {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// Why a growth ended early.
+pub fn full(run: &Run) -> String {
+    format!(
+        "Growth ended on day {}: one day more would bring more than {} cells.",
+        run.last_day(),
+        grouped(run.scene.recipe.max_cells)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_well() {
+        let grouped = [0, 999, 1000, 31_402, 2_000_000].map(grouped);
+        assert_eq!(grouped, ["0", "999", "1,000", "31,402", "2,000,000"]);
+        let shares = [(0, 10), (1, 1000), (38, 100), (999, 1000), (5, 5)].map(|(a, b)| share(a, b));
+        assert_eq!(shares, ["0%", "under 1%", "38%", "over 99%", "100%"]);
+    }
+}
