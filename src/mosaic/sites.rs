@@ -4,7 +4,7 @@
 use crate::surface::{Charts, Frame, Mesh, Place};
 use crate::tissue::Diary;
 use glam::Vec2;
-use wide::{CmpGe, f32x4};
+use wide::f32x4;
 
 /// One candidate site of one triangle, four words as the shader reads them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]

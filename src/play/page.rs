@@ -66,6 +66,8 @@ pub enum Event {
     WorkerLost(String),
     /// What `shown` says is on the screen.
     Drawn,
+    /// Nothing is on the screen any more: the graphics device is lost.
+    PictureLost,
 }
 
 /// What the page's host has to do.
@@ -227,6 +229,11 @@ impl Page {
         if wished && arrived { State::Ready } else { State::Growing }
     }
 
+    /// The link of what is wished now, also while it plays.
+    pub fn link(&self) -> String {
+        link::write(&self.wished_scene())
+    }
+
     /// The picture in words: `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
     pub fn description(&self) -> String {
         match &self.shown.day {
@@ -314,6 +321,7 @@ impl Page {
                 effects.push(Effect::Tell(vec![why]));
             }
             Event::Drawn => self.drawn = Some(self.shown.clone()),
+            Event::PictureLost => self.drawn = None,
         }
         if self.less_motion {
             self.camera.jump();

@@ -104,6 +104,11 @@ impl Playhead {
         matches!(self.motion, Motion::Play | Motion::Scrub { played: true })
     }
 
+    /// Whether the visitor's hand is on the time line.
+    pub fn is_scrubbed(&self) -> bool {
+        matches!(self.motion, Motion::Scrub { .. })
+    }
+
     /// Follows the visitor's hand, to a time in days.
     pub fn scrub(&mut self, time: f64, newest: Option<u32>, last_day: u32) {
         if !matches!(self.motion, Motion::Scrub { .. }) {

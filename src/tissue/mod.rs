@@ -1,6 +1,7 @@
 //! Who lives on the surface: the recipe, the cells, their relaxation and division, and the diary of
 //! the days that have grown.
 
+mod bins;
 mod chance;
 mod diary;
 mod divide;

@@ -1,0 +1,273 @@
+//! The one application of this page: takes events to the page's brain, does what it says, and brings
+//! the document into agreement with it.
+
+use super::backend;
+use super::chooser::Chooser;
+use super::controls::Controls;
+use super::dom::{Listener, document, on, window};
+use super::frames::Frames;
+use super::keyboard;
+use super::mail::{self, Mail};
+use super::messages::Messages;
+use super::panel::Panel;
+use super::pointer::Pointer;
+use super::stage::Stage;
+use super::surroundings::{Surroundings, is_dark};
+use super::timeline::Timeline;
+use crate::draw::{DrawError, Renderer};
+use crate::plants;
+use crate::play::page::{Effect, Event, Page};
+use crate::play::parameters::Parameter;
+use std::cell::RefCell;
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::spawn_local;
+
+/// A device that is lost more often than this in `LOSSES_WITHIN_MS` is not asked for again.
+const MOST_LOSSES: usize = 4;
+const LOSSES_WITHIN_MS: f64 = 30_000.0;
+
+thread_local! {
+    static APP: RefCell<Option<App>> = const { RefCell::new(None) };
+}
+
+struct App {
+    page: Page,
+    stage: Stage,
+    mail: Option<Mail>,
+    messages: Messages,
+    chooser: Chooser,
+    timeline: Timeline,
+    panel: Panel,
+    controls: Controls,
+    surroundings: Surroundings,
+    frames: Frames,
+    /// When devices were lost, in milliseconds.
+    losses_ms: Vec<f64>,
+    _pointer: Pointer,
+    _keyboard: [Listener; 2],
+    _link: Listener,
+}
+
+/// Starts the page: the worker and the graphics card at the same time.
+pub fn start() {
+    let (page, effects) = Page::open(&fragment(), plants::all());
+    let stage = Stage::new();
+    let mut app = App {
+        mail: None,
+        messages: Messages::new(),
+        chooser: Chooser::new(plants::all()),
+        timeline: Timeline::new(),
+        panel: Panel::new(),
+        controls: Controls::new(),
+        surroundings: Surroundings::new(),
+        frames: Frames::new(),
+        losses_ms: Vec::new(),
+        _pointer: Pointer::new(stage.element()),
+        _keyboard: keyboard::listen(stage.element()),
+        _link: on(&window(), "hashchange", |_: web_sys::Event| send(Event::OpenLink(fragment()))),
+        page,
+        stage,
+    };
+    app.act(effects);
+    match Mail::start() {
+        Ok(mail) => app.mail = Some(mail),
+        Err(why) => app.hear(Event::WorkerLost(why)),
+    }
+    let calm = app.surroundings.less_motion();
+    app.hear(Event::LessMotion(calm));
+    APP.set(Some(app));
+}
+
+/// Ends the page: all that it listens to, and its worker.
+pub fn end() {
+    APP.take();
+}
+
+/// Tells the page that something has happened.
+pub fn send(event: Event) {
+    with(|app| app.hear(event));
+}
+
+/// The canvas to start a renderer on.
+pub fn canvas() -> Option<web_sys::HtmlCanvasElement> {
+    APP.with_borrow(|app| app.as_ref().map(|app| app.stage.canvas()))
+}
+
+/// The renderer of the canvas is there.
+pub fn run(renderer: Renderer) {
+    with(|app| {
+        app.stage.run(renderer);
+        app.refresh();
+    });
+}
+
+/// Nothing can be drawn: the still picture stays, and a message says so.
+pub fn stay_still(message: &str) {
+    with(|app| {
+        app.stage.stay_still();
+        app.messages.add(message);
+        app.refresh();
+    });
+}
+
+/// The graphics device is lost or of no use: starts another.
+pub fn lost() {
+    with(App::lose);
+}
+
+pub fn resized() {
+    with(|app| {
+        app.stage.measure();
+        app.frames.ask();
+    });
+}
+
+/// What the frame shows changed without the page's doing: dark or light.
+pub fn repaint() {
+    with(App::refresh);
+}
+
+/// The next frame is due.
+pub fn frame(now_ms: f64) {
+    with(|app| app.frame(now_ms));
+}
+
+/// A message that is soon over, such as "Link copied".
+pub fn say(text: &str) {
+    with(|app| app.messages.say(text));
+}
+
+/// A message that stays until it is dismissed.
+pub fn tell(text: &str) {
+    with(|app| app.messages.tell(&[text.to_string()]));
+}
+
+/// Sets a parameter back to the preset of the plant.
+pub fn reset_parameter(parameter: &'static Parameter) {
+    with(|app| {
+        let value = parameter.preset(app.page.scene().plant);
+        app.hear(Event::Change { key: parameter.key, value });
+    });
+}
+
+/// The address of what is shown, also while it plays.
+pub fn address() -> String {
+    let link = APP.with_borrow(|app| app.as_ref().map(|app| app.page.link()));
+    let href = window().location().href().unwrap_or_default();
+    let base = href.split('#').next().unwrap_or_default();
+    format!("{base}#{}", link.unwrap_or_default())
+}
+
+/// The individual that is wished now.
+pub fn individual() -> u32 {
+    APP.with_borrow(|app| app.as_ref().map_or(0, |app| app.page.scene().individual))
+}
+
+fn with(f: impl FnOnce(&mut App)) {
+    APP.with_borrow_mut(|app| app.as_mut().map(f));
+}
+
+fn fragment() -> String {
+    window().location().hash().unwrap_or_default()
+}
+
+impl App {
+    fn hear(&mut self, event: Event) {
+        let effects = self.page.hear(event);
+        self.act(effects);
+        self.refresh();
+    }
+
+    fn act(&mut self, effects: Vec<Effect>) {
+        for effect in effects {
+            match effect {
+                Effect::Post(wish) => {
+                    if let Some(mail) = &self.mail {
+                        mail.post(&wish);
+                    }
+                }
+                Effect::Reload => {
+                    if !mail::reload_once() {
+                        self.hear(Event::WorkerLost(
+                            "Parts of this page are of different versions. Please empty the \
+                             browser's cache for it and load it again."
+                                .to_string(),
+                        ));
+                    }
+                }
+                Effect::WriteLink(link) => write_link(&link),
+                Effect::Say(text) => {
+                    document().set_title(&format!("{text} · Clonal Mosaic"));
+                    self.messages.say(&text);
+                }
+                Effect::Tell(texts) => self.messages.tell(&texts),
+            }
+        }
+    }
+
+    /// Brings the document into agreement with the page, and asks for a frame: whether there is
+    /// anything to draw is decided there.
+    fn refresh(&mut self) {
+        self.show();
+        self.frames.ask();
+    }
+
+    fn show(&mut self) {
+        let page = &self.page;
+        self.chooser.show(page);
+        self.timeline.show(page);
+        self.panel.show(page);
+        self.controls.show(page, self.stage.backend());
+    }
+
+    fn frame(&mut self, now_ms: f64) {
+        let seconds = self.frames.begin(now_ms);
+        if self.page.is_moving() {
+            let effects = self.page.hear(Event::Tick(seconds));
+            self.act(effects);
+        }
+        match self.stage.bring(&self.page, is_dark()) {
+            Ok(true) => {
+                let effects = self.page.hear(Event::Drawn);
+                self.act(effects);
+            }
+            Ok(false) => {}
+            Err(DrawError::TooLarge { .. }) => {
+                self.stage.stay_still();
+                self.messages.add("These cells are more than this graphics card can hold.");
+            }
+            Err(_) => return self.lose(),
+        }
+        self.show();
+        if self.page.is_moving() {
+            self.frames.ask();
+        } else {
+            self.frames.rest();
+        }
+    }
+
+    fn lose(&mut self) {
+        let now_ms = js_sys::Date::now();
+        self.losses_ms.retain(|&ms| now_ms - ms < LOSSES_WITHIN_MS);
+        self.losses_ms.push(now_ms);
+        self.stage.renew_canvas();
+        self.hear(Event::PictureLost);
+        if self.losses_ms.len() > MOST_LOSSES {
+            self.stage.stay_still();
+            self.messages.add(
+                "The graphics card failed several times: here is a still picture. Load the page \
+                 again to try once more.",
+            );
+        } else {
+            spawn_local(backend::start_renderer(self.stage.canvas()));
+        }
+    }
+}
+
+fn write_link(link: &str) {
+    if let Ok(history) = window().history() {
+        // Fails only where a browser allows no more writing for a while; the next one will do.
+        let address = format!("#{link}");
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
+    }
+}

@@ -1,0 +1,49 @@
+//! The plant chooser: one radio button with a picture for each plant.
+
+use super::app;
+use super::dom::{Listener, copy_of_template, find, on, set_attribute, set_text, within};
+use crate::plants::Plant;
+use crate::play::page::{Event, Page};
+use wasm_bindgen::JsCast;
+use web_sys::{Element, HtmlInputElement};
+
+pub struct Chooser {
+    radios: Vec<HtmlInputElement>,
+    _listener: Listener,
+}
+
+impl Chooser {
+    pub fn new(plants: &'static [Plant]) -> Chooser {
+        let list: Element = find("plants");
+        list.set_text_content(None);
+        let radios = plants
+            .iter()
+            .map(|plant| {
+                let label = copy_of_template("plant-template");
+                let radio: HtmlInputElement = within(&label, "input");
+                radio.set_value(plant.key);
+                set_text(&within(&label, ".name"), plant.name);
+                let picture: Element = within(&label, "img");
+                set_attribute(&picture, "src", format!("posters/{}-small.webp", plant.key));
+                let _ = list.append_child(&label);
+                radio
+            })
+            .collect();
+        let listener = on(&list, "change", |event: web_sys::Event| {
+            let radio = event.target().and_then(|t| t.dyn_into::<HtmlInputElement>().ok());
+            if let Some(radio) = radio {
+                app::send(Event::ChoosePlant(radio.value()));
+            }
+        });
+        Chooser { radios, _listener: listener }
+    }
+
+    pub fn show(&self, page: &Page) {
+        for radio in &self.radios {
+            let chosen = radio.value() == page.scene().plant.key;
+            if radio.checked() != chosen {
+                radio.set_checked(chosen);
+            }
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! The rest of the page: caption, individual, link, undo, help, and the state that the `<html>`
+//! element carries for tests and embedders.
+
+use super::app;
+use super::dom::{
+    Listener, document, find, on, set_attribute, set_flag, set_text, set_value, typed,
+    watch_typing, window,
+};
+use crate::play::page::{Event, Page, State};
+use crate::play::words;
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+use web_sys::{Element, HtmlDialogElement, HtmlElement, HtmlInputElement};
+
+/// Individuals drawn by chance have numbers that can be said aloud.
+const DRAWN_INDIVIDUALS: u32 = 9999;
+
+pub struct Controls {
+    root: Element,
+    stage: Element,
+    name: Element,
+    latin: Element,
+    source: Element,
+    facts: [Element; 4],
+    share: HtmlElement,
+    individual: HtmlInputElement,
+    undo: Element,
+    redo: Element,
+    _listeners: Vec<Listener>,
+}
+
+impl Controls {
+    pub fn new() -> Controls {
+        let individual: HtmlInputElement = find("individual");
+        let mut listeners = Vec::from(watch_typing(&individual));
+        let field = individual.clone();
+        listeners.push(on(&individual, "change", move |_: web_sys::Event| {
+            match typed(&field).filter(|x| (0.0..=f64::from(u32::MAX)).contains(x)) {
+                Some(number) => app::send(Event::Individual(number as u32)),
+                None => app::repaint(),
+            }
+        }));
+        listeners.push(click("another", another_individual));
+        listeners.push(click("copy-link", copy_link));
+        listeners.push(click("help", show_keys));
+        for (id, event) in
+            [("undo", Event::Undo), ("redo", Event::Redo), ("framing", Event::ResetView)]
+        {
+            listeners.push(click(id, move || app::send(event.clone())));
+        }
+        // A link within the page would be taken for one to a plant.
+        listeners.push(on(&find::<Element>("skip"), "click", |event: web_sys::Event| {
+            event.prevent_default();
+            let _ = find::<HtmlElement>("day").focus();
+        }));
+        Controls {
+            root: document().document_element().expect("a document has a root"),
+            stage: find("stage"),
+            name: find("name"),
+            latin: find("latin"),
+            source: find("source"),
+            facts: ["fact-day", "fact-cells", "fact-share", "fact-fingerprint"].map(find),
+            share: find("share"),
+            individual,
+            undo: find("undo"),
+            redo: find("redo"),
+            _listeners: listeners,
+        }
+    }
+
+    /// Shows what is on the screen, drawn by this backend.
+    pub fn show(&self, page: &Page, backend: &str) {
+        self.show_state(page, backend);
+        let scene = page.scene();
+        let plant = scene.plant;
+        set_text(&self.name, plant.name);
+        set_text(&self.latin, plant.latin);
+        set_text(&self.source, plant.source);
+        set_value(&self.individual, scene.individual);
+        set_flag(&self.undo, "disabled", !page.history().can_undo());
+        set_flag(&self.redo, "disabled", !page.history().can_redo());
+        set_attribute(&self.stage, "aria-label", page.description());
+        let [day, cells, share, fingerprint] = &self.facts;
+        match &page.shown().day {
+            Some(shown) => {
+                let count = shown.facts.count;
+                let part = words::share(count.by_type[0], count.cells);
+                set_text(day, &shown.day.to_string());
+                set_text(cells, &words::grouped(count.cells));
+                set_text(share, &format!("{part} {}", plant.colour_names[0]));
+                set_text(fingerprint, &shown.facts.fingerprint);
+                let percent = 100.0 * f64::from(count.by_type[0]) / f64::from(count.cells.max(1));
+                let [f, b, _] = scene.look.cells.map(|[r, g, b]| {
+                    let byte = |x: f32| (x * 255.0).round() as u8;
+                    format!("rgb({} {} {})", byte(r), byte(g), byte(b))
+                });
+                set_attribute(
+                    &self.share,
+                    "style",
+                    format!("--share: {percent:.1}%; --foreground: {f}; --background: {b}"),
+                );
+            }
+            None => self.facts.iter().for_each(|fact| set_text(fact, "–")),
+        }
+    }
+
+    fn show_state(&self, page: &Page, backend: &str) {
+        let state = match page.state() {
+            State::Loading => "loading",
+            State::Growing => "growing",
+            State::Ready => "ready",
+            State::Error => "error",
+        };
+        let drawn = page.drawn();
+        let day = drawn.and_then(|d| d.day.as_ref());
+        let (plant, individual) = match drawn {
+            Some(drawn) => (drawn.plant, drawn.individual),
+            None => (page.scene().plant.key, page.scene().individual),
+        };
+        let text = |x: Option<u32>| x.map(|x| x.to_string()).unwrap_or_default();
+        for (name, value) in [
+            ("data-plant", plant),
+            ("data-individual", &individual.to_string()),
+            ("data-day", &text(day.map(|d| d.day))),
+            ("data-cells", &day.map_or(0, |d| d.facts.count.cells).to_string()),
+            ("data-fingerprint", day.map_or("", |d| &d.facts.fingerprint)),
+            ("data-backend", backend),
+            // The state comes last: who waits for it finds the rest in place.
+            ("data-state", state),
+        ] {
+            set_attribute(&self.root, name, value);
+        }
+    }
+}
+
+fn click(id: &str, mut act: impl FnMut() + 'static) -> Listener {
+    on(&find::<Element>(id), "click", move |_: web_sys::Event| act())
+}
+
+/// Draws an individual that is not the shown one.
+pub fn another_individual() {
+    let Ok(chance) = getrandom::u32() else { return };
+    let number = 1 + chance % DRAWN_INDIVIDUALS;
+    let other = if number == app::individual() { 1 + number % DRAWN_INDIVIDUALS } else { number };
+    app::send(Event::Individual(other));
+}
+
+/// Copies the link of what is shown; where the browser does not allow it, shows it to be copied.
+pub fn copy_link() {
+    let address = app::address();
+    spawn_local(async move {
+        let clipboard = window().navigator().clipboard();
+        // Pages without https have no clipboard.
+        let copied = !clipboard.is_undefined()
+            && JsFuture::from(clipboard.write_text(&address)).await.is_ok();
+        let link: HtmlElement = find("copied");
+        if copied {
+            app::say("Link copied");
+            set_text(&link, "Link copied");
+        } else {
+            app::tell(&format!("Copy this link: {address}"));
+            set_text(&link, "");
+        }
+    });
+}
+
+/// Shows which keys do what.
+pub fn show_keys() {
+    let dialog: HtmlDialogElement = find("keys");
+    if !dialog.open() {
+        let _ = dialog.show_modal();
+    }
+}

@@ -1,0 +1,51 @@
+//! Frames, asked for only when something changed.
+
+use super::{app, dom};
+use wasm_bindgen::prelude::*;
+
+/// Seconds that a frame counts at most: after a pause (a hidden tab) time goes on where it stopped.
+const LONGEST_S: f64 = 0.1;
+/// Seconds that the first frame after a rest counts.
+const FIRST_S: f64 = 1.0 / 60.0;
+
+/// Asks the browser for frames.
+pub struct Frames {
+    callback: Closure<dyn FnMut(f64)>,
+    asked: Option<i32>,
+    last_ms: Option<f64>,
+}
+
+impl Frames {
+    pub fn new() -> Frames {
+        Frames { callback: Closure::new(app::frame), asked: None, last_ms: None }
+    }
+
+    /// Asks for the next frame, once.
+    pub fn ask(&mut self) {
+        if self.asked.is_none() {
+            let callback = self.callback.as_ref().unchecked_ref();
+            self.asked = dom::window().request_animation_frame(callback).ok();
+        }
+    }
+
+    /// A frame begins; seconds since the last one.
+    pub fn begin(&mut self, now_ms: f64) -> f64 {
+        self.asked = None;
+        let seconds = self.last_ms.map_or(FIRST_S, |last| (now_ms - last) / 1000.0);
+        self.last_ms = Some(now_ms);
+        seconds.clamp(0.0, LONGEST_S)
+    }
+
+    /// Nothing moves any more.
+    pub fn rest(&mut self) {
+        self.last_ms = None;
+    }
+}
+
+impl Drop for Frames {
+    fn drop(&mut self) {
+        if let Some(asked) = self.asked {
+            let _ = dom::window().cancel_animation_frame(asked);
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! The mail between the page and its worker.
+
+use super::app;
+use super::dom::{self, Listener, on};
+use crate::play::page::Event;
+use crate::play::protocol::{BUILD, ToPage, ToWorker};
+use js_sys::Uint32Array;
+use wasm_bindgen::JsCast;
+use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
+
+/// Remembers, for this tab, that the page was loaded again because of a worker of another build.
+const RELOADED: &str = "mosaic-reloaded-for";
+
+/// A running worker; it ends when this is dropped.
+pub struct Mail {
+    worker: Worker,
+    _listeners: [Listener; 2],
+}
+
+impl Mail {
+    /// Starts the worker. Its address carries our build, so that no cache answers with another.
+    pub fn start() -> Result<Mail, String> {
+        let options = WorkerOptions::new();
+        options.set_type(WorkerType::Module);
+        let address = format!("./worker_loader.js?build={BUILD}");
+        let worker = Worker::new_with_options(&address, &options)
+            .map_err(|_| "This browser starts no worker: the plant cannot grow.".to_string())?;
+        let listeners = [
+            on(&worker, "message", |message: MessageEvent| {
+                let words = message.data().dyn_into::<Uint32Array>().map(|w| w.to_vec());
+                if let Some(answer) = words.ok().and_then(|w| ToPage::from_words(&w).ok()) {
+                    app::send(Event::FromWorker(answer));
+                }
+            }),
+            on(&worker, "error", |error: ErrorEvent| {
+                let why = error.message();
+                app::send(Event::WorkerLost(format!(
+                    "The worker that grows the plant has stopped ({why}). Please load the page again."
+                )));
+            }),
+        ];
+        Ok(Mail { worker, _listeners: listeners })
+    }
+
+    pub fn post(&self, wish: &ToWorker) {
+        // Words can always be sent.
+        let _ = self.worker.post_message(&Uint32Array::from(wish.to_words().as_slice()));
+    }
+}
+
+impl Drop for Mail {
+    fn drop(&mut self) {
+        self.worker.terminate();
+    }
+}
+
+/// Loads the page again because page and worker are of different builds; false if that was tried
+/// already.
+pub fn reload_once() -> bool {
+    let Ok(Some(storage)) = dom::window().session_storage() else { return false };
+    if storage.get_item(RELOADED).ok().flatten().as_deref() == Some(BUILD) {
+        return false;
+    }
+    storage.set_item(RELOADED, BUILD).is_ok() && dom::window().location().reload().is_ok()
+}

@@ -1,0 +1,111 @@
+//! Mouse, pen and fingers on the stage: one turns the plant, two (or Shift, or the right button) move
+//! it, wheel and pinch zoom.
+
+use super::app;
+use super::dom::{Listener, on};
+use crate::play::page::Event;
+use glam::Vec2;
+use std::cell::RefCell;
+use std::rc::Rc;
+use web_sys::{HtmlElement, MouseEvent, PointerEvent, WheelEvent};
+
+/// Degrees that the plant turns when dragged across the shorter side of the stage.
+const TURN_DEG: f32 = 180.0;
+/// Zoom of one pixel of a wheel, as an exponent. Mice send about 100 pixels to a notch.
+const WHEEL_ZOOM: f64 = 0.0015;
+/// Zoom of one pixel of a trackpad's pinch, which browsers send as a wheel with Ctrl.
+const PINCH_ZOOM: f64 = 0.01;
+/// Pixels in a line, for wheels that count in lines.
+const LINE_PX: f64 = 16.0;
+
+pub struct Pointer {
+    _listeners: [Listener; 6],
+}
+
+/// A pointer that is down.
+struct Down {
+    id: i32,
+    at: Vec2,
+    moves: bool,
+}
+
+impl Pointer {
+    pub fn new(stage: &HtmlElement) -> Pointer {
+        let down: Rc<RefCell<Vec<Down>>> = Rc::default();
+        let (pressed, moved, lifted, cancelled) =
+            (down.clone(), down.clone(), down.clone(), down.clone());
+        let (catcher, dragged, wheeled) = (stage.clone(), stage.clone(), stage.clone());
+        let listeners = [
+            on(stage, "pointerdown", move |event: PointerEvent| {
+                let mut down = pressed.borrow_mut();
+                if down.len() < 2 {
+                    // Fails only for pointers that are gone already.
+                    let _ = catcher.set_pointer_capture(event.pointer_id());
+                    let moves = event.button() != 0 || event.shift_key();
+                    down.push(Down { id: event.pointer_id(), at: place(&event), moves });
+                }
+            }),
+            on(stage, "pointermove", move |event: PointerEvent| {
+                drag(&mut moved.borrow_mut(), &event, &dragged);
+            }),
+            on(stage, "pointerup", move |event: PointerEvent| {
+                lifted.borrow_mut().retain(|d| d.id != event.pointer_id());
+            }),
+            on(stage, "pointercancel", move |event: PointerEvent| {
+                cancelled.borrow_mut().retain(|d| d.id != event.pointer_id());
+            }),
+            on(stage, "wheel", move |event: WheelEvent| {
+                event.prevent_default();
+                let lines = event.delta_mode() == WheelEvent::DOM_DELTA_LINE;
+                let pixels = event.delta_y() * if lines { LINE_PX } else { 1.0 };
+                let rate = if event.ctrl_key() { PINCH_ZOOM } else { WHEEL_ZOOM };
+                let factor = (-pixels * rate).exp() as f32;
+                let at = in_square(place(&event), &wheeled);
+                app::send(Event::Zoom { factor, at });
+            }),
+            on(stage, "contextmenu", |event: MouseEvent| event.prevent_default()),
+        ];
+        Pointer { _listeners: listeners }
+    }
+}
+
+fn drag(down: &mut [Down], event: &PointerEvent, stage: &HtmlElement) {
+    let Some(moved) = down.iter().position(|d| d.id == event.pointer_id()) else { return };
+    let (from, to) = (down[moved].at, place(event));
+    down[moved].at = to;
+    let half = half_square(stage);
+    let by = (to - from) / half;
+    match down {
+        [only] if !only.moves => {
+            // The surface follows the hand.
+            let turn = by * (TURN_DEG / 2.0);
+            app::send(Event::Turn { right_deg: -turn.x, up_deg: turn.y });
+        }
+        [_] => app::send(Event::Pan(Vec2::new(by.x, -by.y))),
+        [..] => {
+            let other = down[1 - moved].at;
+            let factor = (to.distance(other).max(1.0)) / (from.distance(other).max(1.0));
+            app::send(Event::Zoom { factor, at: in_square((to + other) * 0.5, stage) });
+            app::send(Event::Pan(Vec2::new(by.x, -by.y) * 0.5));
+        }
+    }
+}
+
+fn place(event: &MouseEvent) -> Vec2 {
+    Vec2::new(event.client_x() as f32, event.client_y() as f32)
+}
+
+fn half_square(stage: &HtmlElement) -> f32 {
+    (stage.client_width().min(stage.client_height()).max(2) as f32) * 0.5
+}
+
+/// A place in the window as -1 to 1 over the centred square of the stage, `y` upwards.
+fn in_square(place: Vec2, stage: &HtmlElement) -> Vec2 {
+    let stage_box = stage.get_bounding_client_rect();
+    let middle = Vec2::new(
+        (stage_box.left() + stage_box.width() / 2.0) as f32,
+        (stage_box.top() + stage_box.height() / 2.0) as f32,
+    );
+    let from_middle = (place - middle) / half_square(stage);
+    Vec2::new(from_middle.x, -from_middle.y)
+}

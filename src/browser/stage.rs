@@ -1,0 +1,204 @@
+//! The stage: the canvas, its renderer, and what has been handed to it.
+
+use super::app;
+use super::dom::{Listener, find, on, set_attribute, set_flag, window};
+use crate::draw::{DrawError, Frame, Renderer};
+use crate::mosaic::SiteLists;
+use crate::plants::{self, Look};
+use crate::play::camera::Sphere;
+use crate::play::page::{Page, Shown};
+use crate::surface::{Body, Charts, Images};
+use wasm_bindgen::prelude::*;
+use web_sys::{HtmlCanvasElement, HtmlElement, HtmlImageElement, ResizeObserver};
+
+/// Device pixels to a CSS pixel at most: more are not seen and cost four times the work.
+const MOST_PIXEL_RATIO: f64 = 2.0;
+
+pub struct Stage {
+    element: HtmlElement,
+    canvas: HtmlCanvasElement,
+    poster: HtmlImageElement,
+    graphics: Graphics,
+    /// The body on the stage, and the key of its plant.
+    body: Option<(&'static str, OnStage)>,
+    lists: SiteLists,
+    /// What the renderer has been handed.
+    handed: Handed,
+    size_px: (u32, u32),
+    _resize: ResizeObserver,
+    _on_resize: Closure<dyn FnMut()>,
+    _poster_missing: Listener,
+}
+
+/// How the picture gets on the screen.
+enum Graphics {
+    Starting,
+    Running(Box<Renderer>),
+    /// Neither WebGPU nor WebGL2: the still picture stays.
+    None,
+}
+
+struct OnStage {
+    body: Body,
+    sphere: Sphere,
+    charts: Charts,
+}
+
+#[derive(Default)]
+struct Handed {
+    plant: Option<&'static str>,
+    look: Option<Look>,
+    /// Generation and day of the cells.
+    day: Option<(u32, u32)>,
+    frame: Option<Frame>,
+}
+
+impl Stage {
+    pub fn new() -> Stage {
+        let element: HtmlElement = find("stage");
+        let poster: HtmlImageElement = find("poster");
+        let on_resize = Closure::<dyn FnMut()>::new(app::resized);
+        let resize = ResizeObserver::new(on_resize.as_ref().unchecked_ref())
+            .expect("browsers observe sizes");
+        resize.observe(&element);
+        let missing = poster.clone();
+        let poster_missing = on(&poster, "error", move |_: web_sys::Event| {
+            set_flag(&missing, "data-missing", true);
+        });
+        let mut stage = Stage {
+            element,
+            canvas: find("canvas"),
+            poster,
+            graphics: Graphics::Starting,
+            body: None,
+            lists: SiteLists::default(),
+            handed: Handed::default(),
+            size_px: (0, 0),
+            _resize: resize,
+            _on_resize: on_resize,
+            _poster_missing: poster_missing,
+        };
+        stage.measure();
+        stage
+    }
+
+    pub fn element(&self) -> &HtmlElement {
+        &self.element
+    }
+
+    pub fn canvas(&self) -> HtmlCanvasElement {
+        self.canvas.clone()
+    }
+
+    /// `webgpu`, `webgl2` or `none`.
+    pub fn backend(&self) -> &'static str {
+        match &self.graphics {
+            Graphics::Running(renderer) => renderer.backend(),
+            Graphics::Starting | Graphics::None => "none",
+        }
+    }
+
+    /// Takes the renderer of this stage's canvas.
+    pub fn run(&mut self, renderer: Renderer) {
+        self.graphics = Graphics::Running(Box::new(renderer));
+        self.handed = Handed::default();
+    }
+
+    /// Settles for the still picture.
+    pub fn stay_still(&mut self) {
+        self.graphics = Graphics::None;
+    }
+
+    /// Puts a new canvas in the place of one whose device is lost: the old one may never draw again.
+    pub fn renew_canvas(&mut self) {
+        self.graphics = Graphics::Starting;
+        if let Ok(fresh) = self.canvas.clone_node() {
+            let fresh: HtmlCanvasElement = fresh.unchecked_into();
+            if self.canvas.replace_with_with_node_1(&fresh).is_ok() {
+                self.canvas = fresh;
+            }
+        }
+    }
+
+    /// Reads the size of the stage again.
+    pub fn measure(&mut self) {
+        let ratio = window().device_pixel_ratio().min(MOST_PIXEL_RATIO);
+        let pixels = |css: i32| (f64::from(css) * ratio).round().max(1.0) as u32;
+        self.size_px = (pixels(self.element.client_width()), pixels(self.element.client_height()));
+        self.handed.frame = None;
+    }
+
+    /// Brings the screen into agreement with the page. True if the page's picture stands there now
+    /// (or would, where nothing can be drawn); an error if the device is of no use any more.
+    pub fn bring(&mut self, page: &Page, dark: bool) -> Result<bool, DrawError> {
+        let shown = page.shown();
+        self.show_poster(shown);
+        let Graphics::Running(renderer) = &mut self.graphics else {
+            return Ok(matches!(self.graphics, Graphics::None));
+        };
+        let key = page.scene().plant.key;
+        let (_, on_stage) = match self.body.take() {
+            Some(body) if body.0 == key => self.body.insert(body),
+            _ => self.body.insert((key, OnStage::of(page.scene().plant))),
+        };
+        let handed = &mut self.handed;
+        let look = &page.scene().look;
+        if handed.plant != Some(key) || handed.look.as_ref() != Some(look) {
+            renderer.set_body(&on_stage.body, look);
+            *handed = Handed { plant: Some(key), look: Some(look.clone()), ..Handed::default() };
+        }
+        let run = page.run();
+        if let Some(day) = &shown.day
+            && shown.generation == run.generation
+            && handed.day != Some((shown.generation, day.day))
+        {
+            let surface = &on_stage.body.surface;
+            self.lists.build(surface, &mut on_stage.charts, &run.diary, day.day as usize);
+            let mean_spacing_cm = (surface.area / day.facts.count.cells.max(1) as f32).sqrt();
+            renderer.set_sites(&self.lists, mean_spacing_cm)?;
+            handed.day = Some((shown.generation, day.day));
+            handed.frame = None;
+        }
+        let (width, height) = self.size_px;
+        let frame = Frame {
+            view_projection: page.camera().view_projection(&on_stage.sphere, width, height),
+            eye: page.camera().eye(&on_stage.sphere),
+            moment: shown.day.as_ref().map_or(1.0, |d| d.moment),
+            dark,
+        };
+        if handed.frame != Some(frame) {
+            renderer.resize(width, height);
+            renderer.draw(&frame)?;
+            handed.frame = Some(frame);
+        }
+        Ok(true)
+    }
+
+    /// The poster stands in until cells are drawn.
+    fn show_poster(&self, shown: &Shown) {
+        let live = matches!(self.graphics, Graphics::Running(_)) && self.handed.day.is_some();
+        set_flag(&self.element, "data-live", live);
+        if !live {
+            let address = format!("posters/{}.webp", shown.plant);
+            if self.poster.get_attribute("src").as_deref() != Some(&address) {
+                set_flag(&self.poster, "data-missing", false);
+                set_attribute(&self.poster, "src", address);
+            }
+        }
+    }
+}
+
+impl Drop for Stage {
+    fn drop(&mut self) {
+        self._resize.disconnect();
+    }
+}
+
+impl OnStage {
+    fn of(plant: &plants::Plant) -> OnStage {
+        let body = (plant.body)();
+        let sphere = Sphere::around(&body);
+        let charts = Charts::new(&body.surface, Images::Visible);
+        OnStage { body, sphere, charts }
+    }
+}

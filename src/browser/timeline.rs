@@ -1,0 +1,141 @@
+//! The time line: the slider of days with what has grown of it, play, steps, speed and typed day.
+
+use super::app;
+use super::dom::{
+    Listener, find, on, set_attribute, set_flag, set_text, set_value, typed, watch_typing,
+};
+use crate::play::page::{Event, Page, State};
+use crate::play::playhead::SPEEDS;
+use crate::play::words;
+use wasm_bindgen::JsCast;
+use web_sys::{Element, HtmlInputElement, HtmlSelectElement, KeyboardEvent};
+
+pub struct Timeline {
+    slider: HtmlInputElement,
+    number: HtmlInputElement,
+    grown: Element,
+    last_day: Element,
+    play: Element,
+    notice: Element,
+    _listeners: Vec<Listener>,
+}
+
+impl Timeline {
+    pub fn new() -> Timeline {
+        let slider: HtmlInputElement = find("day");
+        let number: HtmlInputElement = find("day-number");
+        let speed: HtmlSelectElement = find("speed");
+        offer_speeds(&speed);
+        let mut listeners = Vec::new();
+        let hand = slider.clone();
+        listeners.push(on(&slider, "input", move |_: web_sys::Event| {
+            app::send(Event::Scrub(hand.value_as_number()));
+        }));
+        listeners.push(on(&slider, "change", |_: web_sys::Event| app::send(Event::LetGo)));
+        listeners.push(on(&slider, "keydown", step_by_key));
+        listeners.extend(watch_typing(&number));
+        let field = number.clone();
+        listeners.push(on(&number, "change", move |_: web_sys::Event| {
+            // Without a number the field goes back to the wished day.
+            match typed(&field) {
+                Some(day) => app::send(Event::Seek(day.round().max(0.0) as u32)),
+                None => app::repaint(),
+            }
+        }));
+        for (id, event) in [
+            ("first", Event::Seek(0)),
+            ("back", Event::StepDays(-1)),
+            ("play", Event::PlayOrPause),
+            ("on", Event::StepDays(1)),
+            ("last", Event::Seek(u32::MAX)),
+        ] {
+            let button: Element = find(id);
+            listeners.push(on(&button, "click", move |_: web_sys::Event| app::send(event.clone())));
+        }
+        let chosen = speed.clone();
+        listeners.push(on(&speed, "change", move |_: web_sys::Event| {
+            if let Ok(speed) = chosen.value().parse() {
+                app::send(Event::Speed(speed));
+            }
+        }));
+        let looping: HtmlInputElement = find("loop");
+        let checked = looping.clone();
+        listeners.push(on(&looping, "change", move |_: web_sys::Event| {
+            app::send(Event::Loop(checked.checked()));
+        }));
+        Timeline {
+            slider,
+            number,
+            grown: find("grown"),
+            last_day: find("last-day"),
+            play: find("play"),
+            notice: find("notice"),
+            _listeners: listeners,
+        }
+    }
+
+    pub fn show(&self, page: &Page) {
+        let (run, playhead) = (page.run(), page.playhead());
+        let last_day = run.last_day();
+        let grown = run.newest().unwrap_or(0);
+        let wished = playhead.wished_day();
+        for element in [self.slider.as_ref(), self.number.as_ref(), &self.grown] {
+            set_attribute(element, "max", last_day);
+        }
+        set_attribute(&self.grown, "value", grown);
+        set_text(&self.last_day, &last_day.to_string());
+        if !playhead.is_scrubbed() {
+            let time = if playhead.is_playing() { playhead.time() } else { f64::from(wished) };
+            set_value(
+                &self.slider,
+                format!("{time:.3}").trim_end_matches('0').trim_end_matches('.'),
+            );
+        }
+        let shown = page.shown().day.as_ref().map_or(wished, |d| d.day);
+        set_attribute(&self.slider, "aria-valuetext", format!("day {shown}"));
+        set_value(&self.number, if playhead.is_playing() { shown } else { wished });
+        set_attribute(
+            &self.play,
+            "aria-label",
+            if playhead.is_playing() { "Pause" } else { "Play" },
+        );
+        set_flag(&self.play, "data-playing", playhead.is_playing());
+        let waits = page.state() != State::Error && wished > grown && !playhead.is_playing();
+        let notice = match run.newest() {
+            None if page.state() != State::Error => "Sowing the first cells…".to_string(),
+            Some(grown) if waits => {
+                let cells = run.facts(grown).map_or(0, |f| f.count.cells);
+                let cells = words::grouped(cells);
+                format!("Day {wished} is growing: here is day {grown}, {cells} cells")
+            }
+            _ => String::new(),
+        };
+        set_text(&self.notice, &notice);
+    }
+}
+
+fn offer_speeds(select: &HtmlSelectElement) {
+    select.set_text_content(None);
+    for speed in SPEEDS {
+        let text = format!("{speed}×");
+        if let Ok(option) =
+            web_sys::HtmlOptionElement::new_with_text_and_value(&text, &speed.to_string())
+        {
+            let _ = select.append_child(&option);
+        }
+    }
+    select.set_value("1");
+}
+
+/// The slider runs between the days, too; its arrow keys step by whole ones.
+fn step_by_key(event: KeyboardEvent) {
+    let by = match event.key().as_str() {
+        "ArrowRight" | "ArrowUp" => 1,
+        "ArrowLeft" | "ArrowDown" => -1,
+        "PageUp" => 5,
+        "PageDown" => -5,
+        _ => return,
+    };
+    event.unchecked_ref::<web_sys::Event>().prevent_default();
+    app::send(Event::StepDays(by));
+}
