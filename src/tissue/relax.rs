@@ -328,27 +328,37 @@ struct Sum<'a> {
 }
 
 impl Sum<'_> {
-    /// Adds the forces of some points, and of those behind them up to whole lanes: they must be out
-    /// of reach. The cell itself is at a distance of exactly 0 from its own unfolded place and
-    /// drops out, as does a cell on the very same spot: it has no direction to push in.
+    /// Adds the forces of some points. The cell itself is at a distance of exactly 0 from its own
+    /// unfolded place and drops out, as does a cell on the very same spot: it has no direction to
+    /// push in.
     #[inline]
     fn add(&mut self, points: &Points, range: Range<usize>) {
-        let whole = range.start..range.start + range.len().next_multiple_of(LANES);
-        let (x, _) = points.x[whole.clone()].as_chunks::<LANES>();
-        let (y, _) = points.y[whole.clone()].as_chunks::<LANES>();
-        let (kind, _) = points.kind[whole].as_chunks::<LANES>();
+        let (x, _) = points.x[range.clone()].as_chunks::<LANES>();
+        let (y, _) = points.y[range.clone()].as_chunks::<LANES>();
+        let (kind, _) = points.kind[range.clone()].as_chunks::<LANES>();
         for ((&x, &y), &kind) in x.iter().zip(y).zip(kind) {
-            let dx = self.x - f32x4::new(x);
-            let dy = self.y - f32x4::new(y);
-            let squared = dx * dx + dy * dy;
-            let within = squared.simd_lt(self.forces.radius_squared) & squared.simd_gt(f32x4::ZERO);
-            let kind = f32x4::new(kind);
-            let weight = self.weights[0] + kind * (self.weights[1] + kind * self.weights[2]);
-            // (1 - d/r) r / d = r/d - 1
-            let scale = within & (weight * (self.forces.radius / squared.sqrt() - f32x4::ONE));
-            self.sum_x += dx * scale;
-            self.sum_y += dy * scale;
+            self.add_four(f32x4::new(x), f32x4::new(y), f32x4::new(kind));
         }
+        let rest = range.len() % LANES;
+        if rest > 0 {
+            // The points behind the last may be neighbours of another row: they would count twice.
+            let first = range.end - rest;
+            let x = FIRST[rest].select(lanes(&points.x, first), f32x4::splat(FAR));
+            self.add_four(x, lanes(&points.y, first), lanes(&points.kind, first));
+        }
+    }
+
+    #[inline]
+    fn add_four(&mut self, x: f32x4, y: f32x4, kind: f32x4) {
+        let dx = self.x - x;
+        let dy = self.y - y;
+        let squared = dx * dx + dy * dy;
+        let within = squared.simd_lt(self.forces.radius_squared) & squared.simd_gt(f32x4::ZERO);
+        let weight = self.weights[0] + kind * (self.weights[1] + kind * self.weights[2]);
+        // (1 - d/r) r / d = r/d - 1
+        let scale = within & (weight * (self.forces.radius / squared.sqrt() - f32x4::ONE));
+        self.sum_x += dx * scale;
+        self.sum_y += dy * scale;
     }
 
     fn total(self) -> Vec2 {
@@ -357,8 +367,18 @@ impl Sum<'_> {
     }
 }
 
-/// Columns of a grid at least: with four, the points that follow a row's last square (those of the
-/// next row's first) are out of reach of it, so that the force loop may run into them.
+/// Masks of the first lanes.
+const FIRST: [f32x4; LANES] = {
+    const ON: f32 = f32::from_bits(u32::MAX);
+    [
+        f32x4::new([0.0; LANES]),
+        f32x4::new([ON, 0.0, 0.0, 0.0]),
+        f32x4::new([ON, ON, 0.0, 0.0]),
+        f32x4::new([ON, ON, ON, 0.0]),
+    ]
+};
+
+/// Columns of a grid at least: with three, every row is looked at from end to end.
 const MIN_COLUMNS: usize = 4;
 
 /// Squares as wide as the repulsive radius over the plane of one triangle.

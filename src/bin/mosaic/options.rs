@@ -5,6 +5,9 @@ use lexopt::{Arg, Parser, ValueExt};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
+/// The plant when none is named.
+pub const FIRST_PLANT: &str = "croton";
+
 pub const HELP: &str = "\
 mosaic grows a plant's Clonal Mosaic, cell for cell the one that the playground shows.
 
@@ -71,7 +74,7 @@ pub fn read() -> Result<Command, Refusal> {
 fn read_grow(mut parser: Parser) -> Result<Command, Refusal> {
     let mut sources = Vec::new();
     let mut options = Options {
-        source: Source::Preset("croton".into()),
+        source: Source::Preset(FIRST_PLANT.into()),
         mesh: None,
         individual: None,
         day: None,
