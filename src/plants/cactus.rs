@@ -24,11 +24,11 @@ pub const PLANT: Plant = Plant {
         repulsion: 0.02,
         // Open in the thesis. From 20 on the first cells are spread evenly.
         initial_relaxations: 20,
-        // Open in the thesis. With 4 the clones stay crowded and have a third of the skin, with 10
-        // nothing looks better and growth takes half as long again.
+        // Open in the thesis. With 4 the clones stay crowded and small, with 10 nothing looks
+        // better and growth takes half as long again.
         relaxations_per_day: 6,
         days: 25,
-        // Fifteen clones of cells that divide every three days differ much: 9,000 to 20,000 cells.
+        // Some fifteen clones that double every few days: individuals have 8,000 to 18,000 cells.
         max_cells: 60_000,
     },
     first_day: 25,

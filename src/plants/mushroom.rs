@@ -15,22 +15,22 @@ pub const PLANT: Plant = Plant {
     // keeps white; a plain white stem looks the same, and saves a third of the cells.
     recipe: Recipe {
         initial_cells: 6_000,
-        // Open in the thesis. With what `warts` adds at the top, a sixth of the cells is white:
-        // from a quarter on the warts run into worms, under a tenth the cap looks bare.
+        // Open in the thesis. With what `warts` adds at the top, a sixth of the cells is white;
+        // with a third the warts run into worms.
         initial_probability: [0.9, 0.1, 0.0],
         division_days: [8.0, 8.0, 8.0],
         mutation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         adhesion: [[0.7, 0.0, 0.0], [0.0, 0.9, 0.0], [0.0, 0.0, 0.0]],
         radius_scale: 3.0,
-        // Open in the thesis. 0.04 * 3^2 = 0.36 keeps steps small; with half of it the warts are
-        // ragged.
+        // Open in the thesis. 0.04 * 3^2 = 0.36 keeps steps small; at 0.01 warts are ragged and run
+        // together.
         repulsion: 0.04,
         // Open in the thesis. From 20 on the first cells are spread evenly.
         initial_relaxations: 20,
-        // Open in the thesis. Warts are round from 4 on.
+        // Open in the thesis. Warts are round from 3 on.
         relaxations_per_day: 6,
         days: 20,
-        // Individuals differ by a few hundred cells around 27,000.
+        // Individuals have from 26,000 to 27,000 cells.
         max_cells: 60_000,
     },
     first_day: 20,

@@ -20,15 +20,15 @@ pub const PLANT: Plant = Plant {
         mutation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         adhesion: [[0.5, 0.0, 0.0], [0.0, 0.9, 0.0], [0.0, 0.0, 0.0]],
         radius_scale: 0.5,
-        // Open in the thesis. With so short a radius a cell meets few others, so steps may be
-        // large; under 0.1 the new cells stay in heaps.
+        // Open in the thesis. From 0.05 to 0.6 the stripes look alike: with so short a radius a cell
+        // meets few others.
         repulsion: 0.25,
-        // Open in the thesis. From 20 on the first cells are spread as evenly as this radius can.
+        // Open in the thesis. With so short a radius 5 would do.
         initial_relaxations: 20,
-        // Open in the thesis. More does not move the stripes: beyond the radius nothing pushes.
+        // Open in the thesis. Children must leave their parents' sides before they divide again.
         relaxations_per_day: 10,
         days: 20,
-        // Individuals differ by a few thousand cells around 67,000.
+        // Individuals have from 64,000 to 68,000 cells.
         max_cells: 100_000,
     },
     first_day: 20,
