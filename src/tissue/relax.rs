@@ -207,7 +207,7 @@ impl Points {
             row += LANES;
             to += LANES;
         }
-        self.len += rows.len();
+        self.len += rows.end - rows.start;
     }
 
     /// Puts a lane's width of far points behind the last.
@@ -239,22 +239,41 @@ impl Near {
         home: &Frame,
         radius: f32,
     ) {
+        let whole = |triangle: u32| {
+            let of = bins.of(triangle as usize);
+            starts[of.start] as usize..starts[of.end] as usize
+        };
+        let (own_image, others) = images.split_first().expect("a chart begins with its home");
         self.points.len = 0;
-        let mut own = 0;
-        let rim = Rim::new(home);
-        for (k, image) in images.iter().enumerate() {
-            if image.distance > radius {
-                break;
+        self.points.unfold(columns, own_image, whole(own_image.triangle));
+        let own = self.points.len;
+        let others = others.iter().take_while(|image| image.distance <= radius);
+        if bins.cuts == 1 {
+            for image in others {
+                let first = image.triangle as usize;
+                let [from, to] = starts[first..first + 2] else { unreachable!() };
+                self.points.unfold(columns, image, from as usize..to as usize);
             }
+        } else {
+            self.unfold_bins(columns, bins, starts, others, &Rim::new(home), radius);
+        }
+        self.points.close();
+        self.use_grid = own * self.points.len >= GRID_FROM_PAIRS
+            && self.grid.sort(&self.points, &mut self.sorted, radius);
+    }
+
+    /// Unfolds the bins that come within the radius of the home triangle.
+    fn unfold_bins<'a>(
+        &mut self,
+        columns: &Columns,
+        bins: &Bins,
+        starts: &[u32],
+        images: impl Iterator<Item = &'a Image>,
+        rim: &Rim,
+        radius: f32,
+    ) {
+        for image in images {
             let of = bins.of(image.triangle as usize);
-            if k == 0 || bins.cuts == 1 {
-                let rows = starts[of.start] as usize..starts[of.end] as usize;
-                self.points.unfold(columns, image, rows);
-                if k == 0 {
-                    own = self.points.len;
-                }
-                continue;
-            }
             let reach = radius + bins.sizes[image.triangle as usize];
             let mut first = of.start;
             while first < of.end {
@@ -273,9 +292,6 @@ impl Near {
                 first += LANES;
             }
         }
-        self.points.close();
-        self.use_grid = own * self.points.len >= GRID_FROM_PAIRS
-            && self.grid.sort(&self.points, &mut self.sorted, radius);
     }
 
     /// The sum of the forces on the `own`-th cell of the home triangle, of type `kind`, in
