@@ -219,14 +219,18 @@ impl Points {
 /// Four numbers from a row of a column on.
 #[inline]
 fn lanes(column: &[f32], row: usize) -> f32x4 {
-    let four: [f32; LANES] = column[row..row + LANES].try_into().expect("four lanes");
-    f32x4::new(four)
+    debug_assert!(row + LANES <= column.len());
+    // SAFETY: every column ends with `LANES` spare rows, and rows come from `starts` and `len`,
+    // which count rows that are there. A checked load costs the gather a fifth of its time.
+    f32x4::new(unsafe { *column.as_ptr().add(row).cast::<[f32; LANES]>() })
 }
 
 /// Four numbers from a row of a column on, to be written.
 #[inline]
 fn lanes_mut(column: &mut [f32], row: usize) -> &mut [f32; LANES] {
-    (&mut column[row..row + LANES]).try_into().expect("four lanes")
+    debug_assert!(row + LANES <= column.len());
+    // SAFETY: as above; a triangle sees each cell at most once, so `Points` has room for all.
+    unsafe { &mut *column.as_mut_ptr().add(row).cast::<[f32; LANES]>() }
 }
 
 impl Near {
