@@ -234,10 +234,14 @@ fn unfold(mesh: &Mesh, twin: usize, left: Vec2, right: Vec2) -> [Vec2; 3] {
     unfolded
 }
 
-/// Whether two images of one triangle lie together, as on a flat surface: within a thousandth of
-/// its size.
+/// Two images of a triangle that lie this near to each other, as a share of its size, count as one.
+/// Smaller, and each is there twice on every gentle curve; larger, and polygons show steps where
+/// they pass from one triangle to the next.
+const SAME: f32 = 0.01;
+
+/// Whether two images of one triangle lie together, as on a nearly flat surface.
 fn same_image(image: &Image, unfolded: &[Vec2; 3], frame: &super::mesh::Frame) -> bool {
-    let near = 1e-3 * frame.length.max(frame.apex.y);
+    let near = SAME * frame.length.max(frame.apex.y);
     image.origin.distance(unfolded[0]) < near
         && (image.origin + image.edge1).distance(unfolded[1]) < near
         && (image.origin + image.edge2).distance(unfolded[2]) < near

@@ -6,9 +6,9 @@ use glam::Vec2;
 use std::ops::Range;
 use wide::f32x4;
 
-/// Candidates of a triangle above which they are sorted into a grid first. Below, looking at all
-/// of them is cheaper than the sort.
-const GRID_FROM: usize = 40;
+/// Pairs (own cells times candidates) of a triangle from which its candidates are sorted into a grid
+/// first. Below, looking at all of them is cheaper than the sort.
+const GRID_FROM_PAIRS: usize = 800;
 
 /// Cells that a bin should hold. Fewer, and most of the work is looking into bins; more, and it is
 /// looking at cells that are too far away.
@@ -240,6 +240,7 @@ impl Near {
         radius: f32,
     ) {
         self.points.len = 0;
+        let mut own = 0;
         let rim = Rim::new(home);
         for (k, image) in images.iter().enumerate() {
             if image.distance > radius {
@@ -249,6 +250,9 @@ impl Near {
             if k == 0 || bins.cuts == 1 {
                 let rows = starts[of.start] as usize..starts[of.end] as usize;
                 self.points.unfold(columns, image, rows);
+                if k == 0 {
+                    own = self.points.len;
+                }
                 continue;
             }
             let reach = radius + bins.sizes[image.triangle as usize];
@@ -258,17 +262,20 @@ impl Near {
                 let (x, y) = image.points(b1, b2);
                 let mut near = rim.within(x, y, reach) & ((1 << (of.end - first).min(LANES)) - 1);
                 while near != 0 {
-                    let bin = first + near.trailing_zeros() as usize;
-                    near &= near - 1;
-                    let rows = starts[bin] as usize..starts[bin + 1] as usize;
+                    // Bins that follow each other are one run of rows.
+                    let skipped = near.trailing_zeros();
+                    let run = (near >> skipped).trailing_ones();
+                    near &= !(((1 << run) - 1) << skipped);
+                    let bin = first + skipped as usize;
+                    let rows = starts[bin] as usize..starts[bin + run as usize] as usize;
                     self.points.unfold(columns, image, rows);
                 }
                 first += LANES;
             }
         }
         self.points.close();
-        self.use_grid =
-            self.points.len >= GRID_FROM && self.grid.sort(&self.points, &mut self.sorted, radius);
+        self.use_grid = own * self.points.len >= GRID_FROM_PAIRS
+            && self.grid.sort(&self.points, &mut self.sorted, radius);
     }
 
     /// The sum of the forces on the `own`-th cell of the home triangle, of type `kind`, in
@@ -289,7 +296,8 @@ impl Near {
                 sum.add(&self.sorted, self.grid.row(row, columns.clone()));
             }
         } else {
-            sum.add(&self.points, 0..self.points.len);
+            // Far points fill the last lanes.
+            sum.add(&self.points, 0..self.points.len.next_multiple_of(LANES));
         }
         sum.total()
     }

@@ -4,6 +4,7 @@
 mod forces;
 mod growth;
 mod meshes;
+mod mosaic;
 mod original;
 mod population;
 mod recipes;
