@@ -103,17 +103,20 @@ impl Page {
     }
 
     /// Loads the page anew with this link.
+    #[track_caller]
     pub fn visit(&self, link: &str) {
         self.browser.open("about:blank");
         self.browser.open(&format!("{}{link}", self.server.address()));
     }
 
+    #[track_caller]
     pub fn state(&self) -> State {
         let data = self.run("return {...document.documentElement.dataset}");
         serde_json::from_value(data).expect("words and numbers")
     }
 
     /// Waits until the page says this of itself; the state that it then has.
+    #[track_caller]
     pub fn wait(&self, what: &str, is_so: impl Fn(&State) -> bool) -> State {
         let begun = Instant::now();
         loop {
@@ -130,24 +133,29 @@ impl Page {
     }
 
     /// Waits until all that was asked for is on the screen.
+    #[track_caller]
     pub fn ready(&self) -> State {
         self.wait("the page to rest", |s| s.state == "ready")
     }
 
     /// Waits until this day is on the screen.
+    #[track_caller]
     pub fn on_day(&self, day: u32) -> State {
         self.wait(&format!("day {day}"), |s| s.state == "ready" && s.day == day.to_string())
     }
 
     /// Waits until something holds that only a script can tell.
+    #[track_caller]
     pub fn wait_for(&self, what: &str, script: &str) {
         self.wait(what, |_| self.run(script) == true);
     }
 
+    #[track_caller]
     pub fn run(&self, script: &str) -> Value {
         self.browser.execute(script, &[])
     }
 
+    #[track_caller]
     pub fn text(&self, id: &str) -> String {
         let script = "return document.getElementById(arguments[0]).textContent";
         let text = self.browser.execute(script, &[json!(id)]);
@@ -155,21 +163,25 @@ impl Page {
     }
 
     /// The messages that the visitor sees.
+    #[track_caller]
     pub fn messages(&self) -> String {
         let script = "const m = document.getElementById('messages');
                       return m && m.checkVisibility() ? m.innerText : ''";
         self.run(script).as_str().unwrap_or_default().to_string()
     }
 
+    #[track_caller]
     pub fn element(&self, css: &str) -> Element {
         self.browser.find(css)
     }
 
+    #[track_caller]
     pub fn click(&self, id: &str) {
         self.browser.click(&self.element(&format!("#{id}")));
     }
 
     /// Replaces what stands in a field and leaves it with Enter.
+    #[track_caller]
     pub fn fill_in(&self, id: &str, text: &str) {
         let select = "const e = document.getElementById(arguments[0]); e.focus(); e.select()";
         self.browser.execute(select, &[json!(id)]);
@@ -177,6 +189,7 @@ impl Page {
     }
 
     /// Drags the day slider there and lets go.
+    #[track_caller]
     pub fn drag_to_day(&self, day: f64) {
         let script = "const e = document.getElementById('day'); e.value = arguments[0];
                       e.dispatchEvent(new Event('input', {bubbles: true}));
@@ -184,31 +197,37 @@ impl Page {
         self.browser.execute(script, &[json!(day)]);
     }
 
+    #[track_caller]
     pub fn choose(&self, plant: &str) {
         let radio = format!("#plants label:has(input[value={plant}])");
         self.browser.click(&self.element(&radio));
     }
 
+    #[track_caller]
     pub fn press(&self, keys: &[&str]) {
         self.browser.press(keys);
     }
 
     /// The part of the address after the `#`.
+    #[track_caller]
     pub fn link(&self) -> String {
         let hash = self.run("return location.hash");
         hash.as_str().unwrap_or_default().trim_start_matches('#').to_string()
     }
 
     /// What the canvas shows.
+    #[track_caller]
     pub fn picture(&self) -> Picture {
         Picture::decode(&self.browser.screenshot(&self.element("#canvas")))
     }
 
+    #[track_caller]
     pub fn devtools(&self, command: &str, parameters: Value) -> Value {
         self.browser.devtools(command, parameters)
     }
 
     /// Errors on the console since the last call.
+    #[track_caller]
     pub fn complaints(&self) -> Vec<String> {
         self.browser.complaints()
     }

@@ -46,30 +46,36 @@ impl WebDriver {
         browser
     }
 
+    #[track_caller]
     pub fn open(&self, address: &str) {
         self.post("url", json!({ "url": address }));
     }
 
     /// Runs a script in the page (its `arguments` are these) and returns what it returns.
+    #[track_caller]
     pub fn execute(&self, script: &str, arguments: &[Value]) -> Value {
         self.post("execute/sync", json!({ "script": script, "args": arguments }))
     }
 
+    #[track_caller]
     pub fn find(&self, css: &str) -> Element {
         let found = self.post("element", json!({ "using": "css selector", "value": css }));
         Element(found[ELEMENT].as_str().expect("an element").to_string())
     }
 
+    #[track_caller]
     pub fn click(&self, element: &Element) {
         self.post(&format!("element/{}/click", element.0), json!({}));
     }
 
     /// Types into an element.
+    #[track_caller]
     pub fn type_into(&self, element: &Element, text: &str) {
         self.post(&format!("element/{}/value", element.0), json!({ "text": text }));
     }
 
     /// Presses and releases keys, one after the other, wherever the focus is.
+    #[track_caller]
     pub fn press(&self, keys: &[&str]) {
         let strokes: Vec<Value> = keys
             .iter()
@@ -80,17 +86,20 @@ impl WebDriver {
     }
 
     /// An element as it is on the screen, as a PNG in base 64.
+    #[track_caller]
     pub fn screenshot(&self, element: &Element) -> String {
         let path = format!("/session/{}/element/{}/screenshot", self.session, element.0);
         self.call("GET", &path, Value::Null).as_str().expect("a picture").to_string()
     }
 
     /// A command of the Chrome DevTools Protocol.
+    #[track_caller]
     pub fn devtools(&self, command: &str, parameters: Value) -> Value {
         self.post("goog/cdp/execute", json!({ "cmd": command, "params": parameters }))
     }
 
     /// What the console has said since the last call, without mere remarks.
+    #[track_caller]
     pub fn complaints(&self) -> Vec<String> {
         let entries = self.post("se/log", json!({ "type": "browser" }));
         let entries = entries.as_array().cloned().unwrap_or_default();
@@ -101,10 +110,12 @@ impl WebDriver {
             .collect()
     }
 
+    #[track_caller]
     fn post(&self, command: &str, body: Value) -> Value {
         self.call("POST", &format!("/session/{}/{command}", self.session), body)
     }
 
+    #[track_caller]
     fn call(&self, method: &str, path: &str, body: Value) -> Value {
         match request(self.port, method, path, &body) {
             Ok(answer) if answer["value"]["error"].is_null() => answer["value"].clone(),
