@@ -5,8 +5,20 @@ use crate::tissue::{Bins, Diary, Rim};
 use glam::Vec2;
 use wide::f32x4;
 
-/// Cells that a bin should hold: few, so that the distance to a bin's own site is a good bound.
-const CELLS_PER_BIN: f32 = 1.5;
+/// Cells that a bin should hold, as for the forces.
+const CELLS_PER_BIN: f32 = 2.5;
+
+/// Ways longer than this, in mean spacings, are shown from this far off only: sites would have to be
+/// looked for that much farther around every triangle, for the sake of a few cells.
+const MOST_MOTION: f32 = 0.75;
+
+/// Sites of its own that make a triangle look no further for the bound on its distances.
+const ENOUGH_SITES: usize = 4;
+
+/// Sample points of a triangle for that bound, by its size in mean spacings: finer costs more than
+/// the shorter lists save.
+const SAMPLES_PER_SPACING: f32 = 2.2;
+const MAX_SAMPLE_CUTS: usize = 6;
 
 /// Rows behind the last, for whole lanes.
 const LANES: usize = 4;
@@ -22,7 +34,7 @@ pub struct SortedCells {
     tags: Vec<u32>,
     bins: Bins,
     starts: Vec<u32>,
-    /// Longest way that a cell has gone since the day before, at most two spacings, in centimetres.
+    /// Longest way that a cell is shown to go since the day before, in centimetres.
     pub longest_motion: f32,
 }
 
@@ -52,6 +64,7 @@ impl SortedCells {
             self.starts[b + 1] += self.starts[b];
         }
         let mut longest = 0.0f32;
+        let most = MOST_MOTION * spacing;
         for (cell, &place) in now.iter().enumerate() {
             let mut ancestor = cell;
             while ancestor >= before.len() {
@@ -59,8 +72,11 @@ impl SortedCells {
             }
             let was = seen_from(mesh, charts, place, before[ancestor], 2.0 * spacing);
             let frame = &mesh.frames[place.triangle as usize];
-            let motion = frame.point(place.b1 - was.x, place.b2 - was.y).length_squared();
-            longest = if motion > longest { motion } else { longest };
+            let way = Vec2::new(was.x - place.b1, was.y - place.b2);
+            let motion = frame.point(way.x, way.y).length();
+            let share = if motion > most { most / motion } else { 1.0 };
+            let was = Vec2::new(place.b1, place.b2) + way * share;
+            longest = longest.max(motion * share);
             let slot = &mut self.starts[self.bins.bin(place) as usize];
             let to = *slot as usize;
             *slot += 1;
@@ -70,7 +86,7 @@ impl SortedCells {
             self.columns[3][to] = was.y;
             self.tags[to] = cell as u32 | (diary.lineage[cell].kind as u32) << TYPE_SHIFT;
         }
-        self.longest_motion = longest.sqrt().min(2.0 * spacing);
+        self.longest_motion = longest;
         self.starts.copy_within(0..bins, 1);
         self.starts[0] = 0;
     }
@@ -187,37 +203,49 @@ impl Near {
     }
 
     /// A distance within which every point of the triangle has its nearest site at every moment:
-    /// for each of its bins the distance of the centroid to a site, and from there to any point.
-    pub fn bound(&self, cells: &SortedCells, triangle: usize, frame: &Frame) -> f32 {
+    /// from each of a grid of points the way to a site, and to that point from any other. `spacing`
+    /// is the mean spacing of the cells.
+    pub fn bound(&self, cells: &SortedCells, triangle: usize, frame: &Frame, spacing: f32) -> f32 {
         let of = cells.bins.of(triangle);
-        let first_row = cells.starts[of.start] as usize;
+        let own = cells.rows(of.start, of.end).len();
+        // The triangle's own sites bound nearly as well as all, where it has some.
+        let sites = if own >= ENOUGH_SITES { own } else { self.len };
+        let whole_size = cells.bins.sizes[triangle] * cells.bins.cuts as f32;
+        let cuts =
+            ((SAMPLES_PER_SPACING * whole_size / spacing) as usize).clamp(1, MAX_SAMPLE_CUTS);
+        let share = 1.0 / cuts as f32;
         let mut worst = 0.0f32;
-        for bin in of.clone() {
-            let centroid = cells.bins.centroid(bin - of.start);
-            let centroid = frame.point(centroid.x, centroid.y);
-            let own = cells.rows(bin, bin + 1);
-            let nearest = if own.is_empty() {
-                self.nearest_squared(centroid, 0..self.len)
-            } else {
-                self.nearest_squared(centroid, own.start - first_row..own.end - first_row)
-            };
-            worst = worst.max(nearest);
+        for i in 0..cuts {
+            for column in 0..2 * (cuts - i) - 1 {
+                let third = if column % 2 == 0 { 1.0 / 3.0 } else { 2.0 / 3.0 };
+                let (b1, b2) = (i as f32 + third, (column / 2) as f32 + third);
+                let nearest = self.nearest_squared(frame.point(b1 * share, b2 * share), sites);
+                worst = if nearest > worst { nearest } else { worst };
+            }
         }
-        worst.sqrt() + cells.bins.sizes[triangle]
+        worst.sqrt() + whole_size * share
     }
 
-    /// Squared distance from a point to the nearest of some sites, each taken at the end of its
+    /// Squared distance from a point to the nearest of the first sites, each taken at the end of its
     /// motion that is farther away.
-    fn nearest_squared(&self, p: Vec2, sites: std::ops::Range<usize>) -> f32 {
-        let [now_x, now_y, before_x, before_y] = &self.columns;
-        let squared = |x: f32, y: f32| (x - p.x) * (x - p.x) + (y - p.y) * (y - p.y);
-        let mut nearest = f32::INFINITY;
-        for k in sites {
-            let (now, before) = (squared(now_x[k], now_y[k]), squared(before_x[k], before_y[k]));
-            let farther = if now > before { now } else { before };
-            nearest = if farther < nearest { farther } else { nearest };
+    fn nearest_squared(&self, p: Vec2, sites: usize) -> f32 {
+        let (x, y) = (f32x4::splat(p.x), f32x4::splat(p.y));
+        let squared = |(site_x, site_y): (f32x4, f32x4)| {
+            let (dx, dy) = (site_x - x, site_y - y);
+            dx * dx + dy * dy
+        };
+        let mut nearest = f32x4::splat(f32::INFINITY);
+        for lanes in self.lanes().take(sites / LANES) {
+            nearest = nearest.fast_min(squared(lanes.now).fast_max(squared(lanes.before)));
         }
-        nearest
+        let mut least = nearest.to_array().into_iter().fold(f32::INFINITY, f32::min);
+        let [now_x, now_y, before_x, before_y] = &self.columns;
+        for k in sites / LANES * LANES..sites {
+            let now = p.distance_squared(Vec2::new(now_x[k], now_y[k]));
+            let before = p.distance_squared(Vec2::new(before_x[k], before_y[k]));
+            least = least.min(now.max(before));
+        }
+        least
     }
 
     /// The farthest that a coordinate of a site lies from that of a point.

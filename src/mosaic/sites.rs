@@ -70,7 +70,8 @@ impl SiteLists {
                 let radius = reach + self.cells.longest_motion;
                 let images = charts.around(mesh, triangle as u32, radius);
                 self.near.gather(&self.cells, images, &rim, radius);
-                let bound = self.near.bound(&self.cells, triangle, frame) + BORDER_ROOM * spacing;
+                let bound =
+                    self.near.bound(&self.cells, triangle, frame, spacing) + BORDER_ROOM * spacing;
                 // On a part without cells no reach is enough.
                 if bound <= reach || reach > mesh.area {
                     break bound;

@@ -112,6 +112,9 @@ struct Builder {
     portals: Vec<Portal>,
     /// Waiting portals by (distance, crossings, number).
     waiting: BinaryHeap<Reverse<(u32, u32, u32)>>,
+    /// The number of the chart under way, and of the last one in which each triangle stood.
+    chart: u32,
+    last_chart: Vec<u32>,
 }
 
 impl Builder {
@@ -128,6 +131,9 @@ impl Builder {
         let target = Target::new(corners);
         self.portals.clear();
         self.waiting.clear();
+        self.chart += 1;
+        self.last_chart.resize(mesh.triangles.len(), 0);
+        self.last_chart[home as usize] = self.chart;
         images.push(image(home, 0.0, corners));
         for k in 0..3 {
             self.push_edge(3 * home + k as u32, &corners, 0.0, None, 0);
@@ -139,20 +145,23 @@ impl Builder {
                 continue;
             }
             let (triangle, entered) = (twin / 3, twin as usize % 3);
+            let seen = self.last_chart[triangle as usize] == self.chart;
+            if seen && kept == Images::Nearest {
+                continue;
+            }
             let unfolded = unfold(mesh, twin as usize, portal.left, portal.right);
-            let known = images[first..].iter().filter(|i| i.triangle == triangle);
-            let copies = known.clone().count();
-            if copies > 0 {
-                let same = |i: &Image| same_image(i, &unfolded, &mesh.frames[triangle as usize]);
-                if kept == Images::Nearest
-                    || copies >= MAX_COPIES
-                    || triangle == home
-                    || known.clone().any(same)
+            if seen {
+                let frame = &mesh.frames[triangle as usize];
+                let mut known = images[first..].iter().filter(|i| i.triangle == triangle);
+                if triangle == home
+                    || known.clone().count() >= MAX_COPIES
+                    || known.any(|i| same_image(i, &unfolded, frame))
                     || !self.sees_through(number)
                 {
                     continue;
                 }
             }
+            self.last_chart[triangle as usize] = self.chart;
             // Who comes straight from home comes through the portal: nothing of the image is nearer.
             images.push(image(triangle, f32::from_bits(distance), unfolded));
             let apex_squared = target.squared_distance(unfolded[entered]);

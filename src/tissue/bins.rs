@@ -1,7 +1,6 @@
 //! Bins: the triangles of a mesh, each cut into equal ones where many cells share it.
 
 use crate::surface::{Frame, Mesh, Place};
-use glam::Vec2;
 use std::ops::Range;
 use wide::f32x4;
 
@@ -64,11 +63,6 @@ impl Bins {
         let points_down = (x - i as f32) + (y - j as f32) > 1.0 && i + j + 1 < cuts;
         let within = i * (2 * cuts - i) + 2 * j + i32::from(points_down);
         place.triangle * (cuts * cuts) as u32 + within as u32
-    }
-
-    /// The centroid of a bin of a triangle, as `b1` and `b2`.
-    pub fn centroid(&self, bin: usize) -> Vec2 {
-        Vec2::new(self.centroid_b1[bin], self.centroid_b2[bin])
     }
 
     /// The centroids of four bins of a triangle, from the `first` on, as `b1` and `b2`.
