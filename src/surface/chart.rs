@@ -64,9 +64,9 @@ const UNBUILT: Span = Span { first: 0, count: 0, radius: -1.0 };
 /// more, and have charts built again and again instead.
 const MAX_IMAGES: usize = 4_000_000;
 
-/// Images of one triangle in one chart at most. Two lie around one curved vertex; more are seen
-/// only across several vertices at once.
-const MAX_COPIES: usize = 4;
+/// Images of one triangle in one chart at most: the two that lie around one curved vertex. More are
+/// seen only across several vertices at once, and each brings copies of all that lies behind it.
+const MAX_COPIES: usize = 2;
 
 impl Charts {
     pub fn new(mesh: &Mesh, kept: Images) -> Charts {
