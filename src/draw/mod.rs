@@ -1,1 +1,45 @@
+//! Draws a body and its mosaic with wgpu: one set of shaders for WebGPU and WebGL2.
+//!
+//! The mosaic is found fragment by fragment: the nearest of a short list of sites in the plane of
+//! the fragment's triangle. Nothing is triangulated, borders are sharp at every zoom, and a new day
+//! is one upload.
 
+mod data_texture;
+mod geometry;
+mod occlusion;
+mod pipelines;
+mod renderer;
+mod scene;
+#[cfg(target_arch = "wasm32")]
+mod start;
+
+use glam::{Mat4, Vec3};
+pub use renderer::Renderer;
+
+/// From where, and at which moment, the scene is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// World to clip space, depth from 0 (near) to 1 (far).
+    pub view_projection: Mat4,
+    /// The eye, in centimetres.
+    pub eye: Vec3,
+    /// Between the day before (0) and the day of the site lists (1).
+    pub moment: f32,
+    /// Whether the stage behind the canvas is dark.
+    pub dark: bool,
+}
+
+/// Why nothing can be drawn.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum DrawError {
+    #[error("the canvas gives no surface to draw on: {0}")]
+    NoSurface(String),
+    #[error("this browser has no graphics adapter for the canvas: {0}")]
+    NoAdapter(String),
+    #[error("the graphics adapter gives no device: {0}")]
+    NoDevice(String),
+    #[error("the surface of the canvas is lost")]
+    SurfaceLost,
+    #[error("{rows} rows of data are more than a texture of this device holds ({most})")]
+    TooLarge { rows: u32, most: u32 },
+}

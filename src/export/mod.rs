@@ -1,1 +1,5 @@
 //! Files out: tables.
+
+mod cells;
+
+pub use cells::write_cells;

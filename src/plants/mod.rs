@@ -5,6 +5,7 @@ mod bodies;
 mod cactus;
 mod croton;
 mod mushroom;
+mod spikes;
 mod watermelon;
 
 use crate::surface::{Body, Control, Group, PolygonMesh};
@@ -69,13 +70,13 @@ pub fn find(key: &str) -> Option<&'static Plant> {
     all().iter().find(|plant| plant.key == key)
 }
 
-/// The body in one of our own mesh files, each group refined so many times.
-fn body(obj: &str, levels: impl Fn(&Group) -> u32) -> Body {
-    smooth(&PolygonMesh::parse(obj).expect("our own meshes are well formed"), levels)
+/// One of our own mesh files, each group refined so many times.
+fn smooth(obj: &str, levels: impl Fn(&Group) -> u32) -> PolygonMesh {
+    PolygonMesh::parse(obj).expect("our own meshes are well formed").refined_by(levels)
 }
 
-fn smooth(control: &PolygonMesh, levels: impl Fn(&Group) -> u32) -> Body {
-    Body::new(&control.refined_by(levels)).expect("our own meshes have a surface")
+fn body(mesh: &PolygonMesh) -> Body {
+    Body::new(mesh).expect("our own meshes have a surface")
 }
 
 /// A number from 0 to 1 that is always the same for the same place: irregularity that belongs to
@@ -87,4 +88,118 @@ fn scatter(item: u32, purpose: u32) -> f32 {
     bits ^= bits >> 16;
     // 24 bits are what an f32 between 0 and 1 holds.
     (bits >> 8) as f32 / (1 << 24) as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::{Mesh, NO_TWIN};
+    use crate::tissue::{Growth, Progress};
+    use glam::Vec3;
+    use std::sync::Arc;
+
+    fn surface(key: &str) -> Mesh {
+        (find(key).unwrap().body)().surface
+    }
+
+    #[test]
+    fn every_plant_is_sound() {
+        for plant in all() {
+            assert!(std::ptr::eq(find(plant.key).unwrap(), plant));
+            plant.recipe.check().unwrap();
+            assert!(plant.first_day <= plant.recipe.days, "{}", plant.key);
+            let body = (plant.body)();
+            body.surface.check().unwrap();
+            let triangles = body.surface.triangles.len();
+            assert!((8_000..=16_000).contains(&triangles), "{}: {triangles}", plant.key);
+            for part in &body.ornaments {
+                let named = plant.look.bare.iter().any(|&(name, ..)| name == part.material);
+                assert!(named, "{} has no colour for {}", plant.key, part.material);
+            }
+        }
+        assert!(find("nettle").is_none());
+    }
+
+    #[test]
+    fn triangles_are_of_like_size_and_no_slivers() {
+        for plant in all() {
+            let mesh = (plant.body)().surface;
+            let mut areas = mesh.areas.clone();
+            areas.sort_by(f32::total_cmp);
+            let at = |share: f32| areas[(share * (areas.len() - 1) as f32) as usize];
+            assert!(at(0.95) < 2.0 * at(0.5), "{}", plant.key);
+            assert!(at(0.05) > 0.25 * at(0.5), "{}", plant.key);
+            // 1 for an equilateral triangle, 0 for a line.
+            let quality = |t: u32| {
+                let [a, b, c] = mesh.corners(t);
+                let squares = a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a);
+                4.0 * 3_f32.sqrt() * mesh.areas[t as usize] / squares
+            };
+            let worst = (0..mesh.triangles.len() as u32).map(quality).fold(1.0, f32::min);
+            assert!(worst > 0.35, "{}: {worst}", plant.key);
+        }
+    }
+
+    #[test]
+    fn every_plant_stands_on_the_ground() {
+        for plant in all() {
+            let body = (plant.body)();
+            let bare = body.ornaments.iter().flat_map(|part| &part.positions);
+            let lowest = body.surface.positions.iter().chain(bare).map(|p| p.y).fold(9.0, f32::min);
+            assert!((-0.15..0.1).contains(&lowest), "{}: {lowest}", plant.key);
+        }
+    }
+
+    #[test]
+    fn a_melon_is_closed_and_caps_and_leaves_are_open() {
+        assert!(surface("watermelon").twins.iter().all(|&twin| twin != NO_TWIN));
+        for (key, parts) in [("croton", 18), ("cactus", 2), ("watermelon", 1), ("mushroom", 2)] {
+            assert_eq!(surface(key).part_count(), parts, "{key}");
+        }
+        assert!(surface("mushroom").twins.contains(&NO_TWIN));
+    }
+
+    #[test]
+    fn leaves_know_their_midrib_and_rims() {
+        let mesh = surface("croton");
+        assert_eq!(mesh.uvs.len(), mesh.positions.len());
+        assert!(mesh.uvs.iter().all(|uv| uv.x.abs() <= 1.0 && (0.0..=1.0).contains(&uv.y)));
+        // On the upper side of a blade the texture is not mirrored.
+        let along = |t: usize| {
+            let [a, b, c] = mesh.triangles[t].map(|v| mesh.uvs[v as usize]);
+            (b - a).perp_dot(c - a) > 0.0
+        };
+        assert!((0..mesh.triangles.len()).all(along));
+    }
+
+    #[test]
+    fn control_images_leave_both_types_their_share() {
+        for (key, white) in [("croton", 0.7), ("watermelon", 0.36), ("mushroom", 0.9)] {
+            let mesh = surface(key);
+            let controls = (find(key).unwrap().controls)();
+            for control in &controls {
+                assert!((control.cylinder.axis.length() - 1.0).abs() < 1e-6);
+                assert!((control.cylinder.zero.length() - 1.0).abs() < 1e-6);
+                assert!(control.cylinder.axis.dot(control.cylinder.zero).abs() < 1e-6);
+            }
+            let centroid = |t: u32| mesh.corners(t).iter().sum::<Vec3>() / 3.0;
+            let allowed: f32 = (0..mesh.triangles.len() as u32)
+                .filter(|&t| controls.iter().all(|c| c.allows_foreground(centroid(t))))
+                .map(|t| mesh.areas[t as usize])
+                .sum();
+            let share = allowed / mesh.area;
+            assert!((share - white).abs() < 0.06, "{key}: {share}");
+        }
+    }
+
+    #[test]
+    fn walks_on_our_meshes_are_never_caught() {
+        for plant in all() {
+            let recipe = Recipe { days: 1, ..plant.recipe.clone() };
+            let mesh = Arc::new((plant.body)().surface);
+            let mut growth = Growth::new(mesh, recipe, &(plant.controls)(), 1).unwrap();
+            while growth.step() != Progress::Done {}
+            assert_eq!(growth.caught_walks(), 0, "{}", plant.key);
+        }
+    }
 }

@@ -4,6 +4,7 @@ use super::{Mesh, NO_TWIN};
 use glam::Vec2;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use wide::f32x4;
 
 /// A triangle unfolded into the plane of another, the chart's home.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +16,20 @@ pub struct Image {
     pub origin: Vec2,
     pub edge1: Vec2,
     pub edge2: Vec2,
+}
+
+impl Image {
+    /// Four places of the triangle, given by their `b1` and `b2`, as points of the home plane.
+    #[inline]
+    pub fn points(&self, b1: f32x4, b2: f32x4) -> (f32x4, f32x4) {
+        let at = |origin: f32, edge1: f32, edge2: f32| {
+            f32x4::splat(origin) + b1 * f32x4::splat(edge1) + b2 * f32x4::splat(edge2)
+        };
+        (
+            at(self.origin.x, self.edge1.x, self.edge2.x),
+            at(self.origin.y, self.edge1.y, self.edge2.y),
+        )
+    }
 }
 
 /// Which images of a triangle a chart keeps where several ways around a curved vertex lead to it.
@@ -110,11 +125,14 @@ impl Builder {
     ) {
         let first = images.len();
         let corners = mesh.frames[home as usize].corners();
+        let target = Target::new(corners);
         self.portals.clear();
         self.waiting.clear();
         images.push(image(home, 0.0, corners));
-        self.push_edges(home, &corners, 3, None, 0, &corners, radius);
-        while let Some(Reverse((_, crossings, number))) = self.waiting.pop() {
+        for k in 0..3 {
+            self.push_edge(3 * home + k as u32, &corners, 0.0, None, 0);
+        }
+        while let Some(Reverse((distance, crossings, number))) = self.waiting.pop() {
             let portal = self.portals[number as usize];
             let twin = mesh.twins[portal.half_edge as usize];
             if twin == NO_TWIN {
@@ -135,38 +153,36 @@ impl Builder {
                     continue;
                 }
             }
-            let distance = triangle_distance(&unfolded, &corners);
-            images.push(image(triangle, distance, unfolded));
-            let way = (entered, Some(number), crossings + 1);
-            self.push_edges(triangle, &unfolded, way.0, way.1, way.2, &corners, radius);
+            // Who comes straight from home comes through the portal: nothing of the image is nearer.
+            images.push(image(triangle, f32::from_bits(distance), unfolded));
+            let apex_squared = target.squared_distance(unfolded[entered]);
+            for k in [(entered + 1) % 3, (entered + 2) % 3] {
+                let farther = target.segment_distance(&unfolded, k, entered, apex_squared);
+                let farther = farther.max(f32::from_bits(distance));
+                if farther <= radius {
+                    let half_edge = 3 * triangle + k as u32;
+                    self.push_edge(half_edge, &unfolded, farther, Some(number), crossings + 1);
+                }
+            }
         }
-        images[first..].sort_by(|a, b| a.distance.total_cmp(&b.distance));
-        // Home has distance 0 as its neighbours have, and the sort is stable: it stays first.
+        // Popped in the order of their distances: home first, then outwards.
     }
 
-    #[allow(clippy::too_many_arguments)]
-    fn push_edges(
+    fn push_edge(
         &mut self,
-        triangle: u32,
+        half_edge: u32,
         unfolded: &[Vec2; 3],
-        entered: usize,
+        distance: f32,
         before: Option<u32>,
         crossings: u32,
-        home: &[Vec2; 3],
-        radius: f32,
     ) {
-        for k in (0..3).filter(|&k| k != entered) {
-            // Seen from inside, the edge's first corner is on the right hand of who walks out.
-            let (right, left) = (unfolded[(k + 1) % 3], unfolded[(k + 2) % 3]);
-            let distance = if before.is_none() { 0.0 } else { segment_distance(left, right, home) };
-            if distance > radius {
-                continue;
-            }
-            let number = self.portals.len() as u32;
-            self.portals.push(Portal { half_edge: 3 * triangle + k as u32, left, right, before });
-            // Distances are not negative, so their bits order as they do.
-            self.waiting.push(Reverse((distance.to_bits(), crossings, number)));
-        }
+        // Seen from inside, the edge's first corner is on the right hand of who walks out.
+        let k = half_edge as usize % 3;
+        let (right, left) = (unfolded[(k + 1) % 3], unfolded[(k + 2) % 3]);
+        let number = self.portals.len() as u32;
+        self.portals.push(Portal { half_edge, left, right, before });
+        // Distances are not negative, so their bits order as they do.
+        self.waiting.push(Reverse((distance.to_bits(), crossings, number)));
     }
 
     /// Whether some straight line passes through a portal and all portals before it: such a line
@@ -218,32 +234,65 @@ fn unfold(mesh: &Mesh, twin: usize, left: Vec2, right: Vec2) -> [Vec2; 3] {
     unfolded
 }
 
-/// Whether two images of one triangle lie together, as on a flat surface: within a thousandth of
-/// its size.
+/// Two images of a triangle that lie this near to each other, as a share of its size, count as one.
+/// Smaller, and each is there twice on every gentle curve; larger, and polygons show steps where
+/// they pass from one triangle to the next.
+const SAME: f32 = 0.01;
+
+/// Whether two images of one triangle lie together, as on a nearly flat surface.
 fn same_image(image: &Image, unfolded: &[Vec2; 3], frame: &super::mesh::Frame) -> bool {
-    let near = 1e-3 * frame.length.max(frame.apex.y);
+    let near = SAME * frame.length.max(frame.apex.y);
     image.origin.distance(unfolded[0]) < near
         && (image.origin + image.edge1).distance(unfolded[1]) < near
         && (image.origin + image.edge2).distance(unfolded[2]) < near
 }
 
-fn triangle_distance(a: &[Vec2; 3], b: &[Vec2; 3]) -> f32 {
-    (0..3).map(|k| segment_distance(a[k], a[(k + 1) % 3], b)).fold(f32::INFINITY, f32::min)
+/// A chart's home, as the triangle to which distances are taken.
+struct Target {
+    corners: [Vec2; 3],
+    /// For each corner the edge to the next one, and the same divided by its squared length.
+    edges: [Vec2; 3],
+    per_length: [Vec2; 3],
 }
 
-/// Least distance between a segment and a triangle that it does not cross.
-fn segment_distance(a: Vec2, b: Vec2, triangle: &[Vec2; 3]) -> f32 {
-    let squared = (0..3)
-        .map(|k| {
-            let (p, q) = (triangle[k], triangle[(k + 1) % 3]);
-            point_segment(p, a, b).min(point_segment(a, p, q)).min(point_segment(b, p, q))
-        })
-        .fold(f32::INFINITY, f32::min);
-    squared.sqrt()
-}
+impl Target {
+    fn new(corners: [Vec2; 3]) -> Target {
+        let edges = [0, 1, 2].map(|k| corners[(k + 1) % 3] - corners[k]);
+        Target { corners, edges, per_length: edges.map(|e| e / e.length_squared()) }
+    }
 
-/// Squared distance between a point and a segment.
-fn point_segment(p: Vec2, a: Vec2, b: Vec2) -> f32 {
-    let along = ((p - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
-    p.distance_squared(a + (b - a) * along)
+    /// Squared distance of a point outside the triangle.
+    fn squared_distance(&self, p: Vec2) -> f32 {
+        (0..3)
+            .map(|k| {
+                let from_corner = p - self.corners[k];
+                let along = from_corner.dot(self.per_length[k]).clamp(0.0, 1.0);
+                (from_corner - self.edges[k] * along).length_squared()
+            })
+            .fold(f32::INFINITY, f32::min)
+    }
+
+    /// Distance of the edge of an unfolded triangle opposite its corner `k`, one end of which is
+    /// `apex`, at a known distance.
+    fn segment_distance(
+        &self,
+        unfolded: &[Vec2; 3],
+        k: usize,
+        apex: usize,
+        apex_squared: f32,
+    ) -> f32 {
+        let (from, to) = (unfolded[(k + 1) % 3], unfolded[(k + 2) % 3]);
+        let other = if (k + 1) % 3 == apex { to } else { from };
+        let edge = to - from;
+        let per_length = edge / edge.length_squared();
+        let nearest_corner = self
+            .corners
+            .iter()
+            .map(|&corner| {
+                let along = (corner - from).dot(per_length).clamp(0.0, 1.0);
+                (corner - from - edge * along).length_squared()
+            })
+            .fold(f32::INFINITY, f32::min);
+        nearest_corner.min(apex_squared).min(self.squared_distance(other)).sqrt()
+    }
 }

@@ -20,7 +20,19 @@ pub struct Step {
 }
 
 /// Walks from a place along `step`, a vector in the frame of the place's triangle (centimetres).
+#[inline]
 pub fn walk(mesh: &Mesh, from: Place, step: Vec2) -> Step {
+    let change = mesh.frames[from.triangle as usize].barycentric(step);
+    let (b1, b2) = (from.b1 + change.x, from.b2 + change.y);
+    if b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0 {
+        // Most steps stay in their triangle.
+        let b2 = b2.min(1.0 - b1);
+        return Step { place: Place { triangle: from.triangle, b1, b2 }, caught: false };
+    }
+    walk_out(mesh, from, step)
+}
+
+fn walk_out(mesh: &Mesh, from: Place, step: Vec2) -> Step {
     let mut triangle = from.triangle as usize;
     let mut b = [1.0 - from.b1 - from.b2, from.b1, from.b2];
     let mut rest = step;

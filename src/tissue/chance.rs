@@ -8,6 +8,9 @@ pub enum Purpose {
     Triangle = 1,
     PlaceAlong = 2,
     PlaceAcross = 3,
+    /// Of a first cell, and of the child of a division: two streams, or a founder's first child
+    /// would take after it more often than its mutation row says.
+    FirstType = 9,
     Type = 4,
     Clock = 5,
     ChildRadius = 6,

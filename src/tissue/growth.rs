@@ -177,7 +177,7 @@ fn sow(
             let b1 = (along * (1.0 - across)) as f32;
             let b2 = ((along * across) as f32).min(1.0 - b1);
             let place = Place { triangle: triangle.min(up_to.len() - 1) as u32, b1, b2 };
-            let drawn = pick(&recipe.initial_probability, chance(Purpose::Type));
+            let drawn = pick(&recipe.initial_probability, chance(Purpose::FirstType));
             let mut kind = CellType::from_index(drawn as u8);
             let black = || controls.iter().any(|c| !c.allows_foreground(mesh.point(place)));
             if kind == CellType::Foreground && black() {

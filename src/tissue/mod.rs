@@ -1,6 +1,7 @@
 //! Who lives on the surface: the recipe, the cells, their relaxation and division, and the diary of
 //! the days that have grown.
 
+mod bins;
 mod chance;
 mod diary;
 mod divide;
@@ -9,6 +10,7 @@ mod growth;
 mod recipe;
 mod relax;
 
+pub(crate) use bins::{Bins, Rim};
 pub use diary::{Day, DayCount, Diary, Lineage};
 pub use expectation::mean_descendants;
 pub use growth::{Growth, Progress};

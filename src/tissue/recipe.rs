@@ -90,6 +90,10 @@ pub struct RecipeError(pub String);
 impl Recipe {
     /// Reads a recipe in JSON; what is left out has its default.
     pub fn from_json(text: &str) -> Result<Recipe, RecipeError> {
+        if text.trim_start().starts_with('[') {
+            // serde would take a list for the fields in their order.
+            return Err(RecipeError("the recipe: a list, but it must be an object {...}".into()));
+        }
         let recipe: Recipe =
             serde_json::from_str(text).map_err(|e| RecipeError(format!("the recipe: {e}")))?;
         recipe.check()?;

@@ -42,6 +42,9 @@ pub fn grow() -> PolygonMesh {
     sketch.mesh
 }
 
+/// The columns begin in the soil, but above the ground under it.
+const FOOT_CM: f32 = 0.6;
+
 struct Column {
     ribs: usize,
     /// To the crests of the control mesh; the smooth ones lie a little lower.
@@ -70,7 +73,7 @@ impl Column {
                 // Narrow at the foot; each year's growth leaves a faint waist.
                 let waist = 0.97 + 0.03 * libm::cosf(up * 9.0);
                 let foot = 1.0 - 0.16 * (1.0 - up) * (1.0 - up) * (1.0 - up);
-                (waist * foot, -1.5 + (shoulder + 1.5) * up)
+                (waist * foot, FOOT_CM + (shoulder - FOOT_CM) * up)
             })
             .collect();
         for degrees in [27.0_f32, 51.0] {
@@ -158,6 +161,7 @@ fn ground(sketch: &mut Sketch) {
         let rho = 0.75 + 0.24 * shaken(2);
         let size = 0.55 + 0.35 * shaken(3) * shaken(3) + 0.2 * shaken(4);
         let at = heap(k as f32 * 0.382 + 0.03 * shaken(1), rho);
-        sketch.pebble(at, Vec3::new(1.3, 0.8, 1.0) * size, k);
+        let half_size = Vec3::new(1.3, 0.8, 1.0) * size;
+        sketch.pebble(at.with_y(at.y.max(half_size.y)), half_size, k);
     }
 }

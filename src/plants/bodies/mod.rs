@@ -11,8 +11,10 @@ mod watermelon;
 
 use crate::surface::PolygonMesh;
 
+type Rule = fn() -> PolygonMesh;
+
 /// The name of each file under `meshes/` and the rule that makes it.
-const RULES: [(&str, fn() -> PolygonMesh); 4] = [
+const RULES: [(&str, Rule); 4] = [
     ("croton", croton::grow),
     ("cactus", cactus::grow),
     ("watermelon", watermelon::grow),

@@ -153,20 +153,6 @@ impl Sketch {
             self.face(&f.map(|c| corners[c]));
         }
     }
-
-    /// A thin spike from a triangle around `foot` to `tip`.
-    pub fn spike(&mut self, foot: Vec3, tip: Vec3, radius: f32) {
-        let along = (tip - foot).normalize_or(Vec3::Y);
-        let (a, b) = along.any_orthonormal_pair();
-        let feet: [u32; 3] = std::array::from_fn(|k| {
-            let (sin, cos) = sin_cos(k as f32 / 3.0);
-            self.vertex(foot + (a * cos + b * sin) * radius)
-        });
-        let tip = self.vertex(tip);
-        for k in 0..3 {
-            self.face(&[feet[k], feet[(k + 1) % 3], tip]);
-        }
-    }
 }
 
 /// The corners around a grid of `k` by `k` squares, once around in the order of growing angle.

@@ -1,12 +1,13 @@
 //! A round watermelon that lies on the ground and turns its stem end to the viewer.
 
 use super::sketch::{Sketch, jitter, jitter_at, sin_cos};
-use crate::plants::watermelon::{AXIS, CENTRE, HALF_LENGTH_CM, HALF_WIDTH_CM};
+use crate::plants::watermelon::{AXIS, CENTRE, HALF_LENGTH_CM};
 use crate::surface::PolygonMesh;
 use glam::Vec3;
 use std::collections::HashMap;
 use std::f32::consts::FRAC_PI_4;
 
+const HALF_WIDTH_CM: f32 = 12.2;
 /// Quads along a side of the cube that is blown up to the fruit; even, so that the ends of the
 /// fruit are vertices.
 const GRID: i32 = 8;

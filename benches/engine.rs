@@ -1,0 +1,120 @@
+//! The engine by number of cells: one relaxation event, one day's divisions, one day's site lists.
+//!
+//! On the body that the figures of the original program were measured on: an icosahedron of radius
+//! 10 cm, subdivided to 5,120 triangles.
+
+#[path = "../tests/model/meshes.rs"]
+#[allow(dead_code)]
+mod meshes;
+
+use clonal_mosaic::mosaic::SiteLists;
+use clonal_mosaic::surface::{Charts, Images, Mesh};
+use clonal_mosaic::tissue::{Growth, Progress, Recipe};
+use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use std::hint::black_box;
+use std::sync::Arc;
+use std::time::Duration;
+
+const CELLS: [u32; 3] = [10_000, 100_000, 1_000_000];
+
+fn body() -> Arc<Mesh> {
+    Arc::new(meshes::icosphere(4, 10.0))
+}
+
+/// Cells that only move: nobody divides within the days that are looked at.
+fn still(cells: u32, radius_scale: f32) -> Recipe {
+    Recipe {
+        initial_cells: cells,
+        division_days: [500.0; 3],
+        initial_relaxations: 5,
+        relaxations_per_day: 1000,
+        days: 1000,
+        radius_scale,
+        // The step grows with the square of the radius.
+        repulsion: 0.09 / (radius_scale * radius_scale),
+        ..Recipe::default()
+    }
+}
+
+/// A growth whose first day is done.
+fn settled(mesh: &Arc<Mesh>, recipe: Recipe) -> Growth {
+    let mut growth = Growth::new(mesh.clone(), recipe, &[], 1).expect("a sound recipe");
+    while growth.step() == Progress::Event {}
+    growth
+}
+
+fn relax(c: &mut Criterion) {
+    let mesh = body();
+    let mut group = c.benchmark_group("relax, one event");
+    for radius_scale in [1.0, 2.0] {
+        for cells in CELLS {
+            let mut growth = settled(&mesh, still(cells, radius_scale));
+            group.throughput(Throughput::Elements(cells.into()));
+            let name = BenchmarkId::new(format!("radius scale {radius_scale}"), cells);
+            group.bench_function(name, |b| b.iter(|| black_box(growth.step())));
+        }
+    }
+    group.finish();
+}
+
+fn divide(c: &mut Criterion) {
+    let mesh = body();
+    let mut group = c.benchmark_group("divide, one day without relaxation");
+    for cells in CELLS {
+        let recipe = Recipe {
+            initial_cells: cells,
+            division_days: [10.0; 3],
+            initial_relaxations: 0,
+            relaxations_per_day: 0,
+            days: 11,
+            max_cells: 10_000_000,
+            ..Recipe::default()
+        };
+        // Nearly an eighth of the cells divide in the tenth day.
+        let nine_days_old = || {
+            let mut growth = settled(&mesh, recipe.clone());
+            while growth.step() != Progress::Day(9) {}
+            growth
+        };
+        group.throughput(Throughput::Elements(cells.into()));
+        group.bench_function(BenchmarkId::from_parameter(cells), |b| {
+            b.iter_batched(
+                nine_days_old,
+                |mut growth| {
+                    growth.step();
+                    growth
+                },
+                BatchSize::PerIteration,
+            );
+        });
+    }
+    group.finish();
+}
+
+fn site_lists(c: &mut Criterion) {
+    let mesh = body();
+    let mut group = c.benchmark_group("site lists, one day");
+    for cells in CELLS {
+        let recipe =
+            Recipe { initial_relaxations: 20, relaxations_per_day: 5, ..still(cells, 1.0) };
+        let mut growth = settled(&mesh, recipe);
+        while growth.step() == Progress::Event {}
+        let mut charts = Charts::new(&mesh, Images::Visible);
+        let mut lists = SiteLists::default();
+        group.throughput(Throughput::Elements(cells.into()));
+        group.bench_function(BenchmarkId::from_parameter(cells), |b| {
+            b.iter(|| {
+                lists.build(&mesh, &mut charts, &growth.diary, 1);
+                black_box(lists.sites.len())
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group! {
+    name = engine;
+    config = Criterion::default().sample_size(10).measurement_time(Duration::from_secs(3));
+    targets = relax, divide, site_lists
+}
+criterion_main!(engine);

@@ -1,0 +1,105 @@
+//! What is grown: a body, a recipe and an individual, from the plant, link or files that were named.
+
+use super::options::{FIRST_PLANT, Options, Source};
+use super::{Refusal, cannot};
+use clonal_mosaic::plants::{self, Plant};
+use clonal_mosaic::play::{FIRST_INDIVIDUAL, link};
+use clonal_mosaic::surface::{Body, Control, Mesh, PolygonMesh};
+use clonal_mosaic::tissue::Recipe;
+use std::fs;
+use std::path::Path;
+
+pub struct Subject {
+    /// The plant's word in links, or nothing for a recipe on a mesh of the caller's own.
+    pub plant: Option<&'static str>,
+    pub mesh: Mesh,
+    pub controls: Vec<Control>,
+    /// Its `days` are the days to grow.
+    pub recipe: Recipe,
+    pub individual: u32,
+}
+
+/// What a source alone says.
+struct Wish {
+    plant: Option<&'static Plant>,
+    recipe: Recipe,
+    individual: u32,
+    day: u32,
+}
+
+/// Gathers what the options name.
+pub fn load(options: &Options) -> Result<Subject, Refusal> {
+    let Wish { plant, mut recipe, individual, day } = match &options.source {
+        Source::Preset(name) => of_plant(plant(name)?),
+        Source::Link(text) => of_link(text)?,
+        Source::Recipe(path) => of_recipe(path, options.mesh.is_none())?,
+    };
+    let day = options.day.unwrap_or(day);
+    if day > recipe.days {
+        return Err(format!("--day is {day}, but this recipe ends at day {}", recipe.days));
+    }
+    recipe.days = day;
+    let (mesh, controls) = match (&options.mesh, plant) {
+        (None, Some(plant)) => ((plant.body)().surface, (plant.controls)()),
+        // The cylinders of a plant stand around its own body, not around the caller's.
+        (Some(path), _) => (read_mesh(path)?, Vec::new()),
+        (None, None) => unreachable!("a recipe without a mesh has the first plant's body"),
+    };
+    Ok(Subject {
+        plant: plant.map(|plant| plant.key),
+        mesh,
+        controls,
+        recipe,
+        individual: options.individual.unwrap_or(individual),
+    })
+}
+
+fn of_plant(plant: &'static Plant) -> Wish {
+    let recipe = plant.recipe.clone();
+    let day = recipe.days;
+    Wish { plant: Some(plant), recipe, individual: FIRST_INDIVIDUAL, day }
+}
+
+/// A whole address is taken for the part after its `#`. The page loads what it can of a bad link; a
+/// script is better served by a refusal.
+fn of_link(text: &str) -> Result<Wish, Refusal> {
+    let fragment = text.split_once('#').map_or(text, |(_, fragment)| fragment);
+    let opened = link::read(fragment, plants::all());
+    if !opened.left_out.is_empty() {
+        return Err(format!("the link: {}", opened.left_out.join(" ")));
+    }
+    let scene = opened.scene;
+    Ok(Wish {
+        plant: Some(scene.plant),
+        recipe: scene.recipe,
+        individual: scene.individual,
+        day: scene.day,
+    })
+}
+
+fn of_recipe(path: &Path, on_first_plant: bool) -> Result<Wish, Refusal> {
+    let recipe = Recipe::from_json(&read(path)?).map_err(|e| of_file(path, &e))?;
+    let plant = if on_first_plant { Some(plant(FIRST_PLANT)?) } else { None };
+    let day = recipe.days;
+    Ok(Wish { plant, recipe, individual: FIRST_INDIVIDUAL, day })
+}
+
+fn plant(name: &str) -> Result<&'static Plant, Refusal> {
+    plants::find(name).ok_or_else(|| {
+        let known: Vec<&str> = plants::all().iter().map(|plant| plant.key).collect();
+        format!("there is no preset {name:?}: there are {}", known.join(", "))
+    })
+}
+
+fn read_mesh(path: &Path) -> Result<Mesh, Refusal> {
+    let polygons = PolygonMesh::parse(&read(path)?).map_err(|e| of_file(path, &e))?;
+    Ok(Body::new(&polygons).map_err(|e| of_file(path, &e))?.surface)
+}
+
+fn read(path: &Path) -> Result<String, Refusal> {
+    fs::read_to_string(path).map_err(|e| cannot("read", path, &e))
+}
+
+fn of_file(path: &Path, error: &dyn std::error::Error) -> Refusal {
+    format!("{}: {error}", path.display())
+}

@@ -1,0 +1,214 @@
+//! A body as the corners that the graphics card draws.
+
+use super::occlusion::{Shade, sample_spacing};
+use super::scene::key_direction;
+use crate::surface::{Body, Mesh};
+use bytemuck::{Pod, Zeroable};
+use glam::{Vec2, Vec3, Vec4};
+
+/// A corner of a triangle: `Corner` in `scene.wgsl`.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Corner {
+    pub position: Vec3,
+    pub normal: Vec3,
+    /// Share of the sky that the corner sees, 0 to 1.
+    pub openness: f32,
+    pub uv: Vec2,
+    /// In the triangle's plane, from its centroid, in centimetres.
+    pub plane: Vec2,
+    /// Number of the triangle; in a bare part, of its material.
+    pub number: u32,
+}
+
+/// A corner of the ground disc: `vs_ground` in `ground.wgsl`.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct GroundCorner {
+    /// From the centre, in radii of the disc.
+    pub out: Vec2,
+    /// Shares of the sky and of the key light that the body takes away.
+    pub darkness: Vec2,
+}
+
+/// A sphere around a body, and its ground.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds {
+    pub centre: Vec3,
+    pub radius: f32,
+    lowest: f32,
+}
+
+/// Everything of a body that is drawn.
+pub struct Geometry {
+    /// Three corners a triangle: first those of the surface, then those of the bare parts.
+    pub corners: Vec<Corner>,
+    pub surface_corners: u32,
+    pub ground: Vec<GroundCorner>,
+    pub ground_triangles: Vec<[u32; 3]>,
+    pub bounds: Bounds,
+}
+
+/// Radius of the ground disc, in radii of the body.
+const GROUND_RADII: f32 = 2.4;
+const GROUND_RINGS: u32 = 40;
+const GROUND_SECTORS: u32 = 72;
+
+impl Geometry {
+    /// Takes a body apart. `material` gives the number of a bare material by its name.
+    pub fn new(body: &Body, material: impl Fn(&str) -> u32) -> Geometry {
+        let bounds = Bounds::of(body);
+        let casters = casters(body, sample_spacing(bounds.radius));
+        let shade =
+            Shade { casters: &casters, centre: bounds.centre, radius: bounds.radius * 1.01 };
+
+        let mut corners = surface_corners(
+            &body.surface,
+            &openness(&shade, &body.surface.positions, &body.surface.normals),
+        );
+        let surface_corners = corners.len() as u32;
+        for part in &body.ornaments {
+            let openness = openness(&shade, &part.positions, &part.normals);
+            let number = material(&part.material);
+            corners.extend(part.triangles.iter().flatten().map(|&v| Corner {
+                position: part.positions[v as usize],
+                normal: part.normals[v as usize],
+                openness: openness[v as usize],
+                number,
+                ..Zeroable::zeroed()
+            }));
+        }
+        let (ground, ground_triangles) = ground(&shade, &bounds);
+        Geometry { corners, surface_corners, ground, ground_triangles, bounds }
+    }
+}
+
+impl Bounds {
+    fn of(body: &Body) -> Bounds {
+        let points = || {
+            let bare = body.ornaments.iter().flat_map(|part| &part.positions);
+            body.surface.positions.iter().chain(bare).copied()
+        };
+        let low = points().fold(Vec3::INFINITY, Vec3::min);
+        let high = points().fold(Vec3::NEG_INFINITY, Vec3::max);
+        let centre = (low + high) / 2.0;
+        let radius2 = points().map(|p| p.distance_squared(centre)).fold(0.0, f32::max);
+        Bounds { centre, radius: radius2.sqrt(), lowest: low.y }
+    }
+
+    /// Centre of the ground disc and its radius. The ground is the plane y = 0, or lies just under
+    /// a body that reaches deeper.
+    pub fn ground(&self) -> Vec4 {
+        Vec3::new(self.centre.x, self.lowest.min(0.0), self.centre.z)
+            .extend(self.radius * GROUND_RADII)
+    }
+}
+
+/// How far side veins that leave the midrib at 60 degrees run towards the tip while they cross
+/// from midrib to rim, in leaf coordinates; 0 without them.
+pub fn vein_lean(mesh: &Mesh) -> f32 {
+    if mesh.uvs.is_empty() {
+        return 0.0;
+    }
+    // Centimetres per leaf coordinate, across and along, as the mean over the blade's area.
+    let mut lengths = Vec2::ZERO;
+    for (t, &area) in mesh.triangles.iter().zip(&mesh.areas) {
+        let [a, b, c] = t.map(|v| mesh.positions[v as usize]);
+        let [ua, ub, uc] = t.map(|v| mesh.uvs[v as usize]);
+        let (eb, ec) = (ub - ua, uc - ua);
+        let turn = eb.perp_dot(ec);
+        if turn.abs() > 1e-12 {
+            let across = ((b - a) * ec.y - (c - a) * eb.y) / turn;
+            let along = ((c - a) * eb.x - (b - a) * ec.x) / turn;
+            lengths += Vec2::new(across.length(), along.length()) * area;
+        }
+    }
+    const TAN_60: f32 = 1.732_050_8;
+    if lengths.y > 0.0 { lengths.x / (lengths.y * TAN_60) } else { 0.0 }
+}
+
+fn openness(shade: &Shade, positions: &[Vec3], normals: &[Vec3]) -> Vec<f32> {
+    let points: Vec<_> = positions.iter().copied().zip(normals.iter().copied()).collect();
+    shade.sky(&points)
+}
+
+fn surface_corners(mesh: &Mesh, openness: &[f32]) -> Vec<Corner> {
+    let corners = mesh.triangles.iter().zip(&mesh.frames).enumerate();
+    corners
+        .flat_map(|(number, (t, frame))| {
+            let plane = frame.corners();
+            let centroid = (plane[1] + plane[2]) / 3.0;
+            [0, 1, 2].map(|k| {
+                let v = t[k] as usize;
+                Corner {
+                    position: mesh.positions[v],
+                    normal: mesh.normals[v],
+                    openness: openness[v],
+                    uv: mesh.uvs.get(v).copied().unwrap_or_default(),
+                    plane: plane[k] - centroid,
+                    number: number as u32,
+                }
+            })
+        })
+        .collect()
+}
+
+/// Points on all surfaces of a body, at most about `spacing` apart.
+fn casters(body: &Body, spacing: f32) -> Vec<Vec3> {
+    let mut points = Vec::new();
+    let surface = (&body.surface.positions, &body.surface.triangles);
+    let bare = body.ornaments.iter().map(|part| (&part.positions, &part.triangles));
+    for (positions, triangles) in std::iter::once(surface).chain(bare) {
+        for t in triangles {
+            let [a, b, c] = t.map(|v| positions[v as usize]);
+            let longest = (b - a).length().max((c - a).length()).max((c - b).length());
+            let n = ((longest / spacing).ceil() as u32).clamp(1, 200);
+            // The centroids of the n * n equal triangles that the triangle falls into, less every
+            // second row's flipped ones: n * (n + 1) / 2 of them.
+            for i in 0..n {
+                for j in 0..n - i {
+                    let share = |k: u32| (k as f32 + 1.0 / 3.0) / n as f32;
+                    points.push(a + (b - a) * share(i) + (c - a) * share(j));
+                }
+            }
+        }
+    }
+    points
+}
+
+/// The ground disc: rings that crowd towards the body.
+fn ground(shade: &Shade, bounds: &Bounds) -> (Vec<GroundCorner>, Vec<[u32; 3]>) {
+    let disc = bounds.ground();
+    let outs: Vec<Vec2> = (0..=GROUND_RINGS)
+        .flat_map(|ring| {
+            let share = ring as f32 / GROUND_RINGS as f32;
+            let radius = share * (0.35 + 0.65 * share);
+            (0..GROUND_SECTORS).map(move |sector| {
+                let turn = (sector as f32 + 0.5 * (ring % 2) as f32) / GROUND_SECTORS as f32;
+                let (sin, cos) = libm::sincosf(turn * std::f32::consts::TAU);
+                Vec2::new(cos, sin) * radius
+            })
+        })
+        .collect();
+    let points: Vec<Vec3> =
+        outs.iter().map(|out| disc.truncate() + Vec3::new(out.x, 0.0, out.y) * disc.w).collect();
+    let sky = shade.sky(&points.iter().map(|&p| (p, Vec3::Y)).collect::<Vec<_>>());
+    let lamp = shade.lamp(key_direction(), &points);
+    let corners = (outs.iter().zip(sky.iter().zip(&lamp)))
+        .map(|(&out, (&sky, &lamp))| GroundCorner {
+            out,
+            darkness: Vec2::new(1.0 - sky, 1.0 - lamp),
+        })
+        .collect();
+    let triangles = (0..GROUND_RINGS)
+        .flat_map(|ring| (0..GROUND_SECTORS).map(move |sector| (ring, sector)))
+        .flat_map(|(ring, sector)| {
+            let at = |ring: u32, sector: u32| ring * GROUND_SECTORS + sector % GROUND_SECTORS;
+            // Odd rings are turned by half a sector: the strip zigzags one way, then the other.
+            let (a, b) = (at(ring, sector), at(ring, sector + 1));
+            let (c, d) = (at(ring + 1, sector), at(ring + 1, sector + 1));
+            if ring % 2 == 0 { [[a, b, c], [b, d, c]] } else { [[a, b, d], [a, d, c]] }
+        })
+        .collect();
+    (corners, triangles)
+}

@@ -1,0 +1,346 @@
+//! Holds what stands on the graphics card, and draws frames of it.
+
+use super::data_texture::DataTexture;
+use super::geometry::{Geometry, vein_lean};
+use super::pipelines::{DEPTH, Pipelines, SAMPLES};
+use super::scene::{BARE_MATERIALS, SHADOW_SIDE, Scene};
+use super::{DrawError, Frame};
+use crate::mosaic::SiteLists;
+use crate::plants::Look;
+use crate::surface::{Body, NO_TWIN};
+use bytemuck::Zeroable;
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
+
+/// Draws a body with its mosaic on a canvas.
+pub struct Renderer {
+    surface: wgpu::Surface<'static>,
+    config: wgpu::SurfaceConfiguration,
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    backend: &'static str,
+    pipelines: Pipelines,
+    scene: Scene,
+    scene_buffer: wgpu::Buffer,
+    scene_group: wgpu::BindGroup,
+    shadow_map: wgpu::TextureView,
+    light_group: wgpu::BindGroup,
+    heads: DataTexture,
+    sites: DataTexture,
+    sites_group: wgpu::BindGroup,
+    screen: Option<Screen>,
+    model: Option<Model>,
+}
+
+/// The targets of a frame before it goes to the canvas, for one size.
+struct Screen {
+    colour: wgpu::TextureView,
+    depth: wgpu::TextureView,
+}
+
+/// A body on the graphics card.
+struct Model {
+    corners: wgpu::Buffer,
+    surface_corners: u32,
+    all_corners: u32,
+    ground: wgpu::Buffer,
+    ground_indices: wgpu::Buffer,
+    ground_index_count: u32,
+    ground_height: f32,
+    shadow_is_stale: bool,
+}
+
+/// Colour and gloss of a bare material that the look does not name.
+const PLAIN: ([f32; 3], f32) = ([0.55, 0.53, 0.50], 0.1);
+
+impl Renderer {
+    /// Sets up everything that does not depend on body or size. `config` gives format, alpha mode
+    /// and usage of the canvas; its size counts for nothing until `resize`.
+    pub(super) fn with_device(
+        surface: wgpu::Surface<'static>,
+        config: wgpu::SurfaceConfiguration,
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        backend: &'static str,
+    ) -> Renderer {
+        let pipelines = Pipelines::new(&device, config.format);
+        let scene = Scene::zeroed();
+        let scene_buffer = device.create_buffer_init(&BufferInitDescriptor {
+            label: None,
+            contents: bytemuck::bytes_of(&scene),
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        });
+        let scene_group =
+            bind(&device, &pipelines.scene_layout, &[scene_buffer.as_entire_binding()]);
+        let shadow_map = target(
+            &device,
+            (SHADOW_SIDE, SHADOW_SIDE),
+            DEPTH,
+            1,
+            wgpu::TextureUsages::TEXTURE_BINDING,
+        );
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            compare: Some(wgpu::CompareFunction::LessEqual),
+            ..Default::default()
+        });
+        let light_group = bind(
+            &device,
+            &pipelines.light_layout,
+            &[
+                wgpu::BindingResource::TextureView(&shadow_map),
+                wgpu::BindingResource::Sampler(&sampler),
+            ],
+        );
+        let (heads, sites) = (DataTexture::new(&device), DataTexture::new(&device));
+        let sites_group = bind_sites(&device, &pipelines, &heads, &sites);
+        Renderer {
+            surface,
+            config,
+            device,
+            queue,
+            backend,
+            pipelines,
+            scene,
+            scene_buffer,
+            scene_group,
+            shadow_map,
+            light_group,
+            heads,
+            sites,
+            sites_group,
+            screen: None,
+            model: None,
+        }
+    }
+
+    /// `webgpu` or `webgl2`.
+    pub fn backend(&self) -> &'static str {
+        self.backend
+    }
+
+    /// Shows a body, bare until its sites come: `set_sites` of the body before counts no more.
+    /// Takes about 30 ms of the processor for 16,000 triangles.
+    pub fn set_body(&mut self, body: &Body, look: &Look) {
+        let materials = materials(body);
+        let number = |name: &str| materials.iter().position(|m| *m == name).unwrap_or(0) as u32;
+        let geometry = Geometry::new(body, number);
+        let sheet = body.surface.twins.contains(&NO_TWIN);
+        let lean = vein_lean(&body.surface);
+        self.scene.set_body(look, &geometry.bounds, lean, sheet);
+        for (number, name) in materials.iter().enumerate() {
+            let named = look.bare.iter().find(|(n, ..)| n == name);
+            let (colour, gloss) = named.map_or(PLAIN, |&(_, colour, gloss)| (colour, gloss));
+            self.scene.set_bare(number, colour, gloss);
+        }
+        self.model = Some(Model::new(&self.device, &geometry));
+        self.heads = DataTexture::new(&self.device);
+        self.sites_group = bind_sites(&self.device, &self.pipelines, &self.heads, &self.sites);
+    }
+
+    /// Shows the cells of a day; call it after `set_body`. `mean_spacing_cm`: mean distance
+    /// between neighbouring cells, `sqrt(area / cells)`. Errors if the lists do not fit into the
+    /// textures of this device; what was shown before may then be incomplete.
+    pub fn set_sites(&mut self, lists: &SiteLists, mean_spacing_cm: f32) -> Result<(), DrawError> {
+        self.scene.set_mean_spacing(mean_spacing_cm);
+        let heads_grew = self.heads.write(&self.device, &self.queue, &lists.heads)?;
+        let sites_grew = self.sites.write(&self.device, &self.queue, &lists.sites)?;
+        if heads_grew || sites_grew {
+            self.sites_group = bind_sites(&self.device, &self.pipelines, &self.heads, &self.sites);
+        }
+        Ok(())
+    }
+
+    /// Gives the canvas a size in device pixels; sizes that the device cannot draw are cut down.
+    pub fn resize(&mut self, width_px: u32, height_px: u32) {
+        let most = self.device.limits().max_texture_dimension_2d;
+        let size = (width_px.clamp(1, most), height_px.clamp(1, most));
+        if self.screen.is_some() && size == (self.config.width, self.config.height) {
+            return;
+        }
+        (self.config.width, self.config.height) = size;
+        self.surface.configure(&self.device, &self.config);
+        let make =
+            |format| target(&self.device, size, format, SAMPLES, wgpu::TextureUsages::empty());
+        self.screen = Some(Screen { colour: make(self.config.format), depth: make(DEPTH) });
+    }
+
+    /// Draws a frame on the canvas. Without a body the canvas is empty; before the first `resize`
+    /// nothing happens. Errors if the canvas gives no surface any more.
+    pub fn draw(&mut self, frame: &Frame) -> Result<(), DrawError> {
+        let Some(screen) = &self.screen else { return Ok(()) };
+        use wgpu::CurrentSurfaceTexture::*;
+        let canvas = match self.surface.get_current_texture() {
+            Success(texture) | Suboptimal(texture) => texture,
+            Timeout | Occluded => return Ok(()),
+            Outdated => {
+                self.surface.configure(&self.device, &self.config);
+                match self.surface.get_current_texture() {
+                    Success(texture) | Suboptimal(texture) => texture,
+                    _ => return Err(DrawError::SurfaceLost),
+                }
+            }
+            Lost | Validation => return Err(DrawError::SurfaceLost),
+        };
+        let canvas_view = canvas.texture.create_view(&Default::default());
+        self.scene.set_frame(frame);
+        self.queue.write_buffer(&self.scene_buffer, 0, bytemuck::bytes_of(&self.scene));
+
+        let mut encoder = self.device.create_command_encoder(&Default::default());
+        if let Some(model) = &mut self.model
+            && std::mem::take(&mut model.shadow_is_stale)
+        {
+            let mut pass = begin_pass(&mut encoder, None, &self.shadow_map, wgpu::StoreOp::Store);
+            pass.set_bind_group(0, &self.scene_group, &[]);
+            pass.set_pipeline(&self.pipelines.shadow);
+            pass.set_vertex_buffer(0, model.corners.slice(..));
+            pass.draw(0..model.all_corners, 0..1);
+        }
+        let mut pass = begin_pass(
+            &mut encoder,
+            Some((&screen.colour, &canvas_view)),
+            &screen.depth,
+            wgpu::StoreOp::Discard,
+        );
+        if let Some(model) = &self.model {
+            pass.set_bind_group(0, &self.scene_group, &[]);
+            pass.set_bind_group(1, &self.light_group, &[]);
+            pass.set_bind_group(2, &self.sites_group, &[]);
+            pass.set_vertex_buffer(0, model.corners.slice(..));
+            pass.set_pipeline(&self.pipelines.surface);
+            pass.draw(0..model.surface_corners, 0..1);
+            pass.set_pipeline(&self.pipelines.bare);
+            pass.draw(model.surface_corners..model.all_corners, 0..1);
+            // From below the ground there is no shadow to see.
+            if frame.eye.y > model.ground_height {
+                pass.set_pipeline(&self.pipelines.ground);
+                pass.set_vertex_buffer(0, model.ground.slice(..));
+                pass.set_index_buffer(model.ground_indices.slice(..), wgpu::IndexFormat::Uint32);
+                pass.draw_indexed(0..model.ground_index_count, 0, 0..1);
+            }
+        }
+        drop(pass);
+        self.queue.submit([encoder.finish()]);
+        self.queue.present(canvas);
+        Ok(())
+    }
+
+    /// Gives the device up, as if the system had taken it: for tests of what comes then.
+    pub fn lose(&self) {
+        self.device.destroy();
+    }
+}
+
+impl Model {
+    fn new(device: &wgpu::Device, geometry: &Geometry) -> Model {
+        let buffer = |contents, usage| {
+            device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
+        };
+        let vertices = wgpu::BufferUsages::VERTEX;
+        Model {
+            corners: buffer(bytemuck::cast_slice(&geometry.corners), vertices),
+            surface_corners: geometry.surface_corners,
+            all_corners: geometry.corners.len() as u32,
+            ground: buffer(bytemuck::cast_slice(&geometry.ground), vertices),
+            ground_indices: buffer(
+                bytemuck::cast_slice(&geometry.ground_triangles),
+                wgpu::BufferUsages::INDEX,
+            ),
+            ground_index_count: 3 * geometry.ground_triangles.len() as u32,
+            ground_height: geometry.bounds.ground().y,
+            shadow_is_stale: true,
+        }
+    }
+}
+
+/// The names of the bare materials of a body; what comes after the last place shares the first.
+fn materials(body: &Body) -> Vec<&str> {
+    let mut names: Vec<&str> = body.ornaments.iter().map(|part| part.material.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    names.truncate(BARE_MATERIALS);
+    names
+}
+
+/// A pass into a depth target and, if given, a multisampled colour target and what it resolves to.
+/// Everything starts empty.
+fn begin_pass<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    colour: Option<(&wgpu::TextureView, &wgpu::TextureView)>,
+    depth: &wgpu::TextureView,
+    depth_store: wgpu::StoreOp,
+) -> wgpu::RenderPass<'a> {
+    let colour = colour.map(|(view, resolve_target)| {
+        Some(wgpu::RenderPassColorAttachment {
+            view,
+            depth_slice: None,
+            resolve_target: Some(resolve_target),
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                store: wgpu::StoreOp::Discard,
+            },
+        })
+    });
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        color_attachments: colour.as_slice(),
+        depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+            view: depth,
+            depth_ops: Some(wgpu::Operations {
+                load: wgpu::LoadOp::Clear(1.0),
+                store: depth_store,
+            }),
+            stencil_ops: None,
+        }),
+        ..Default::default()
+    })
+}
+
+/// A texture to draw into.
+fn target(
+    device: &wgpu::Device,
+    (width, height): (u32, u32),
+    format: wgpu::TextureFormat,
+    sample_count: u32,
+    usage: wgpu::TextureUsages,
+) -> wgpu::TextureView {
+    let texture = device.create_texture(&wgpu::TextureDescriptor {
+        label: None,
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: usage | wgpu::TextureUsages::RENDER_ATTACHMENT,
+        view_formats: &[],
+    });
+    texture.create_view(&Default::default())
+}
+
+fn bind_sites(
+    device: &wgpu::Device,
+    pipelines: &Pipelines,
+    heads: &DataTexture,
+    sites: &DataTexture,
+) -> wgpu::BindGroup {
+    bind(
+        device,
+        &pipelines.sites_layout,
+        &[
+            wgpu::BindingResource::TextureView(&heads.view),
+            wgpu::BindingResource::TextureView(&sites.view),
+        ],
+    )
+}
+
+/// A bind group whose bindings are numbered from 0.
+fn bind(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    resources: &[wgpu::BindingResource],
+) -> wgpu::BindGroup {
+    let entries: Vec<_> = (0..)
+        .zip(resources)
+        .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource: resource.clone() })
+        .collect();
+    device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+}

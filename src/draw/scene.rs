@@ -1,0 +1,88 @@
+//! The numbers of a frame as the shaders read them.
+
+use super::{Frame, geometry::Bounds};
+use crate::plants::Look;
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec3, Vec4};
+
+/// Bare materials that a body may have.
+pub const BARE_MATERIALS: usize = 16;
+
+/// Side length of the shadow map in texels. Sharper shadows than this gives are not those of
+/// daylight through a curtain.
+pub const SHADOW_SIDE: u32 = 1024;
+
+/// `Scene` in `scene.wgsl`.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+pub struct Scene {
+    view_projection: Mat4,
+    light_projection: Mat4,
+    eye_moment: Vec4,
+    key_texel: Vec4,
+    cells: [Vec4; 3],
+    look: Vec4,
+    tissue: Vec4,
+    ground: Vec4,
+    bare: [Vec4; BARE_MATERIALS],
+}
+
+impl Scene {
+    /// Colours, materials and light for a body. `vein_lean` as `geometry::vein_lean` gives it;
+    /// `sheet`: the surface has rims, so that light comes through it.
+    pub fn set_body(&mut self, look: &Look, bounds: &Bounds, vein_lean: f32, sheet: bool) {
+        self.cells = look.cells.map(|c| linear(c).extend(1.0));
+        self.look = Vec4::new(look.variation, look.border, look.gloss, flag(look.veins));
+        self.tissue.y = vein_lean;
+        self.tissue.z = flag(sheet);
+        self.ground = bounds.ground();
+        self.light_projection = light_projection(bounds);
+        self.key_texel = key_direction().extend(2.0 * bounds.radius / SHADOW_SIDE as f32);
+    }
+
+    /// Colour and gloss of a bare material by its number.
+    pub fn set_bare(&mut self, number: usize, srgb: [f32; 3], gloss: f32) {
+        self.bare[number] = linear(srgb).extend(gloss);
+    }
+
+    /// Mean distance between neighbouring cells, in centimetres.
+    pub fn set_mean_spacing(&mut self, mean_spacing_cm: f32) {
+        self.tissue.x = mean_spacing_cm.max(1e-6);
+    }
+
+    pub fn set_frame(&mut self, frame: &Frame) {
+        self.view_projection = frame.view_projection;
+        self.eye_moment = frame.eye.extend(frame.moment);
+        self.tissue.w = flag(frame.dark);
+    }
+}
+
+/// Towards the key light: high in front, to the left.
+pub fn key_direction() -> Vec3 {
+    Vec3::new(-0.50, 0.78, 0.46).normalize()
+}
+
+/// World to the clip space of the shadow map: straight along the light, just around the body.
+fn light_projection(bounds: &Bounds) -> Mat4 {
+    let key = key_direction();
+    let (right, up) = key.any_orthonormal_pair();
+    let per_length = 1.0 / (1.02 * bounds.radius);
+    let row = |axis: Vec3, scale: f32, offset: f32| {
+        let axis = axis * (scale * per_length);
+        axis.extend(offset - axis.dot(bounds.centre))
+    };
+    // Depth is 0 next to the lamp, 1 away from it.
+    Mat4::from_cols(row(right, 1.0, 0.0), row(up, 1.0, 0.0), row(key, -0.5, 0.5), Vec4::W)
+        .transpose()
+}
+
+fn flag(on: bool) -> f32 {
+    if on { 1.0 } else { 0.0 }
+}
+
+/// sRGB numbers to linear light (IEC 61966-2-1).
+fn linear(srgb: [f32; 3]) -> Vec3 {
+    Vec3::from(
+        srgb.map(|c| if c <= 0.04045 { c / 12.92 } else { libm::powf((c + 0.055) / 1.055, 2.4) }),
+    )
+}

@@ -1,0 +1,170 @@
+//! What a visitor does: opens, chooses, scrubs, plays, asks for another individual, shares.
+
+use crate::page::{Graphics, Page};
+use serde_json::json;
+use std::time::Duration;
+
+/// A plant and a day that are there soon.
+const SOON: &str = "#watermelon?v=1&s=1&d=4";
+
+#[test]
+fn without_a_link_the_page_opens_on_the_croton() {
+    let Some(page) = Page::open(Graphics::WebGpu, "") else { return };
+    let first = page.wait("the first cells", |s| !s.fingerprint.is_empty());
+    assert_eq!((first.plant.as_str(), first.backend.as_str()), ("croton", "webgpu"));
+    let rest = page.ready();
+    assert_eq!(rest.fingerprint.len(), 6);
+    assert!(rest.cells.parse::<u32>().unwrap() > 1000);
+    assert!(page.link().starts_with("croton?v=1&s="), "the address is a link: {}", page.link());
+    // Plain words, for those who see and for those who hear the page.
+    assert_eq!(page.text("name"), "Croton");
+    assert_eq!(page.text("fact-fingerprint"), rest.fingerprint);
+    let said = page.text("live").to_lowercase();
+    for part in ["croton", "individual", "day", "cells", "% yellow"] {
+        assert!(said.contains(part), "{part} is not in the live text: {said}");
+    }
+    assert!(page.picture().colours() > 500, "a plant is on the canvas");
+    assert_eq!(page.messages(), "");
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
+fn the_chooser_changes_the_plant() {
+    let Some(page) = Page::open(Graphics::WebGpu, SOON) else { return };
+    page.ready();
+    for plant in ["mushroom", "cactus", "watermelon", "croton"] {
+        page.choose(plant);
+        let state = page.wait(plant, |s| s.plant == plant && !s.fingerprint.is_empty());
+        assert_ne!(state.state, "error");
+        page.wait_for(
+            "the link to follow",
+            &format!("return location.hash.startsWith('#{plant}?')"),
+        );
+    }
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
+fn the_slider_goes_both_ways() {
+    let Some(page) = Page::open(Graphics::WebGpu, SOON) else { return };
+    let fourth = page.on_day(4);
+    page.drag_to_day(2.0);
+    let second = page.on_day(2);
+    assert_ne!(second.fingerprint, fourth.fingerprint);
+    page.drag_to_day(7.0);
+    let seventh = page.on_day(7);
+    assert!(seventh.cells.parse::<u32>().unwrap() > fourth.cells.parse().unwrap());
+    page.drag_to_day(4.0);
+    assert_eq!(page.on_day(4), fourth, "the day is what it was");
+    page.wait_for("the link to follow", "return location.hash.includes('d=4')");
+    for (button, day) in [("back", 3), ("on", 4), ("first", 0)] {
+        page.click(button);
+        page.on_day(day);
+    }
+    page.fill_in("day-number", "6");
+    page.on_day(6);
+}
+
+#[test]
+fn between_two_days_the_slider_rests_on_a_day() {
+    let Some(page) = Page::open(Graphics::WebGpu, SOON) else { return };
+    page.on_day(4);
+    page.drag_to_day(2.4);
+    let day = page.ready().day;
+    assert!(day == "2" || day == "3", "day {day}");
+}
+
+#[test]
+fn play_goes_on_and_pause_stops() {
+    let Some(page) = Page::open(Graphics::WebGpu, SOON) else { return };
+    page.on_day(4);
+    page.click("first");
+    page.on_day(0);
+    page.click("play");
+    page.wait("some days to pass", |s| s.day.parse::<u32>().is_ok_and(|day| day >= 2));
+    page.click("play");
+    let paused = page.ready();
+    std::thread::sleep(Duration::from_millis(1500));
+    assert_eq!(page.ready(), paused, "the time stands still");
+}
+
+#[test]
+fn another_individual_is_another() {
+    let Some(page) = Page::open(Graphics::WebGpu, SOON) else { return };
+    let first = page.on_day(4);
+    page.click("another");
+    let other = page.wait("another one", |s| s.individual != "1" && s.state == "ready");
+    assert_ne!(other.fingerprint, first.fingerprint);
+    for number in ["42", "0", "4294967295"] {
+        page.fill_in("individual", number);
+        page.wait("the typed one", |s| s.individual == number && s.state == "ready");
+        assert!(page.link().contains(&format!("s={number}&")), "{}", page.link());
+    }
+    page.fill_in("individual", "1");
+    let again = page.wait("the first one", |s| s.individual == "1" && s.state == "ready");
+    assert_eq!((again.day, again.fingerprint), (first.day, first.fingerprint));
+    page.click("undo");
+    page.wait("the one before", |s| s.individual == "4294967295" && s.state == "ready");
+}
+
+#[test]
+fn a_copied_link_shows_the_same_cells() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#watermelon?v=1&s=9&d=3&ff=0.3") else { return };
+    let here = page.on_day(3);
+    page.run("navigator.clipboard.writeText = text => { window.copied = text; return Promise.resolve() }");
+    page.click("copy-link");
+    page.wait_for("the copy", "return !!window.copied");
+    let copied = page.run("return window.copied");
+    let (address, link) = copied.as_str().unwrap().split_once('#').unwrap();
+    assert_eq!(address, page.server.address());
+    assert_eq!(link, "watermelon?v=1&s=9&d=3&ff=0.3");
+    page.visit(&format!("#{link}"));
+    assert_eq!(page.on_day(3), here);
+}
+
+#[test]
+fn a_bad_link_loads_what_it_can_and_says_what_it_left_out() {
+    let link = "#watermelon?v=1&s=5&d=2&zz=1&df=bad";
+    let Some(page) = Page::open(Graphics::WebGpu, link) else { return };
+    let state = page.ready();
+    assert_eq!(
+        (state.plant.as_str(), state.individual.as_str(), state.day.as_str()),
+        ("watermelon", "5", "2")
+    );
+    let told = page.messages();
+    assert!(told.contains("zz=1") && told.contains("df=bad"), "{told}");
+    page.click("dismiss");
+    assert_eq!(page.messages(), "");
+    // A link of another world, typed into the address of the open page.
+    page.run("location.hash = '#oak?v=1&s=3'");
+    page.wait("the first plant to stand in", |s| s.plant == "croton" && s.individual == "3");
+    assert!(page.messages().contains("oak"), "{}", page.messages());
+}
+
+#[test]
+fn a_page_at_rest_draws_nothing() {
+    let Some(page) = Page::open(Graphics::WebGpu, SOON) else { return };
+    page.ready();
+    std::thread::sleep(Duration::from_millis(1500));
+    page.run(
+        "window.frames_asked = 0; const ask = window.requestAnimationFrame;
+         window.requestAnimationFrame = f => { window.frames_asked += 1; return ask(f) }",
+    );
+    std::thread::sleep(Duration::from_millis(1500));
+    assert_eq!(page.run("return window.frames_asked"), json!(0));
+    page.click("on");
+    page.on_day(5);
+    assert_ne!(page.run("return window.frames_asked"), json!(0));
+}
+
+#[test]
+fn growing_does_not_fill_the_history() {
+    let Some(page) = Page::open(Graphics::WebGpu, SOON) else { return };
+    page.ready();
+    let before = page.run("return history.length");
+    page.drag_to_day(2.0);
+    page.on_day(2);
+    page.click("another");
+    page.wait("another one", |s| s.individual != "1" && s.state == "ready");
+    assert_eq!(page.run("return history.length"), before);
+}

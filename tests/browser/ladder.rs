@@ -1,0 +1,105 @@
+//! WebGPU, then WebGL2, then a still picture; and a graphics card that goes away.
+
+use crate::page::{Graphics, Page};
+use serde_json::json;
+
+const LINK: &str = "#watermelon?v=1&s=2&d=3";
+
+#[test]
+fn webgpu_loads_no_webgl2() {
+    let Some(page) = Page::open(Graphics::WebGpu, LINK) else { return };
+    assert_eq!(page.ready().backend, "webgpu");
+    let loaded = page.server.requested();
+    assert!(!loaded.iter().any(|file| file.contains("page_gl")), "{loaded:?}");
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
+fn without_webgpu_the_page_draws_the_same_with_webgl2() {
+    let Some(page) = Page::open(Graphics::WebGl2, LINK) else { return };
+    let with_webgl2 = page.ready();
+    assert_eq!(with_webgl2.backend, "webgl2");
+    assert!(page.server.requested().iter().any(|file| file.contains("page_gl")));
+    let picture = page.picture();
+    assert!(picture.colours() > 500, "a plant is on the canvas");
+    assert_eq!(page.complaints(), [""; 0]);
+    drop(page);
+
+    let Some(page) = Page::open(Graphics::WebGpu, LINK) else { return };
+    assert_eq!(page.ready().fingerprint, with_webgl2.fingerprint);
+    let difference = page.picture().difference(&picture);
+    assert!(difference < 2.0, "the pictures differ by {difference} of 255 in the mean");
+}
+
+#[test]
+fn without_both_there_is_a_still_picture_and_plain_words() {
+    let Some(page) = Page::open(Graphics::Neither, LINK) else { return };
+    let state = page.ready();
+    assert_eq!(state.backend, "none");
+    assert_eq!(state.fingerprint.len(), 6, "the numbers are live all the same");
+    let poster = "const p = document.getElementById('poster');
+                  return p.checkVisibility() && p.complete && p.naturalWidth > 100
+                      && p.src.includes('watermelon')";
+    page.wait_for("the still picture", poster);
+    let told = page.messages();
+    assert!(told.contains("WebGPU") && told.contains("still picture"), "{told}");
+    // The page works on.
+    page.choose("cactus");
+    page.wait("the cactus", |s| s.plant == "cactus" && !s.fingerprint.is_empty());
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
+fn a_poster_stands_there_before_the_live_picture() {
+    let Some(page) = Page::start(Graphics::Neither) else { return };
+    // Nothing but the HTML itself: what the visitor sees while all the rest is on its way.
+    page.devtools("Network.enable", json!({}));
+    page.devtools("Network.setBlockedURLs", json!({ "urls": ["*.js*", "*.wasm*"] }));
+    page.visit("");
+    let poster = "const p = document.getElementById('poster');
+                  return p.checkVisibility() && p.complete && p.naturalWidth > 100
+                      && p.src.includes('croton')";
+    let begun = std::time::Instant::now();
+    while page.run(poster) != true {
+        assert!(begun.elapsed().as_secs() < 10, "no poster stands in the HTML");
+        std::thread::sleep(std::time::Duration::from_millis(50));
+    }
+    assert_eq!(page.state().state, "loading");
+}
+
+#[test]
+fn a_lost_webgpu_device_comes_back_with_the_same_picture() {
+    let Some(page) = Page::start(Graphics::WebGpu) else { return };
+    // Keeps the devices that the page asks for, to take them away later.
+    let keep = "const ask = GPUAdapter.prototype.requestDevice; window.devices = [];
+                GPUAdapter.prototype.requestDevice = async function (...a) {
+                    const device = await ask.apply(this, a); window.devices.push(device);
+                    return device }";
+    page.devtools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": keep }));
+    page.visit(LINK);
+    let before = page.ready();
+    let picture = page.picture();
+    let devices = "return window.devices.length";
+    let asked_for = page.run(devices).as_u64().unwrap();
+    page.run("window.devices.at(-1).destroy()");
+    page.wait_for("a new device", &format!("return window.devices.length > {asked_for}"));
+    page.wait("the plant to come back", |s| *s == before);
+    page.wait_for("a drawn frame", "return document.getElementById('canvas').checkVisibility()");
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    assert!(page.picture().difference(&picture) < 1.0, "the picture is what it was");
+}
+
+#[test]
+fn a_lost_webgl2_context_comes_back_with_the_same_picture() {
+    let Some(page) = Page::open(Graphics::WebGl2, LINK) else { return };
+    let before = page.ready();
+    let picture = page.picture();
+    page.run(
+        "const canvas = document.getElementById('canvas');
+         canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()",
+    );
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    page.wait("the plant to come back", |s| *s == before);
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    assert!(page.picture().difference(&picture) < 1.0, "the picture is what it was");
+}

@@ -1,0 +1,12 @@
+//! The built page (`dist/`) in headless Chromium, driven through chromedriver as its visitor would.
+//!
+//! `./playground test` builds the page and fails where Chromium or the page is missing; a plain
+//! `cargo test` skips these tests then, and says so.
+
+mod journeys;
+mod ladder;
+mod page;
+mod reach;
+mod sameness;
+mod server;
+mod webdriver;

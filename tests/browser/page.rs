@@ -1,0 +1,314 @@
+//! The built page in a Chromium of its own, and what its visitor does with it.
+
+use crate::server::{Server, dist};
+use crate::webdriver::{Element, WebDriver};
+use serde_json::{Value, json};
+use std::io::Write;
+use std::path::Path;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// What the browser has to draw with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Graphics {
+    WebGpu,
+    WebGl2,
+    Neither,
+}
+
+const BASE_ARGUMENTS: [&str; 10] = [
+    "--headless=new",
+    "--no-sandbox",
+    "--disable-dev-shm-usage",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--force-device-scale-factor=1",
+    "--window-size=1280,800",
+];
+
+impl Graphics {
+    /// Without a graphics card a WebGPU canvas loses its device unless all of these are given.
+    fn arguments(self) -> &'static [&'static str] {
+        match self {
+            Graphics::WebGpu => &[
+                "--enable-unsafe-webgpu",
+                "--use-webgpu-adapter=swiftshader",
+                "--enable-features=Vulkan",
+                "--use-vulkan=swiftshader",
+                "--use-angle=swiftshader",
+            ],
+            Graphics::WebGl2 => &["--enable-unsafe-swiftshader"],
+            Graphics::Neither => &["--disable-gpu", "--disable-3d-apis"],
+        }
+    }
+}
+
+/// A tab with the page in it.
+pub struct Page {
+    browser: WebDriver,
+    pub server: Server,
+    /// One browser at a time: two of them would fight for the processor that draws for them.
+    _alone: MutexGuard<'static, ()>,
+}
+
+/// What the `<html>` element says of the page.
+#[derive(Clone, Debug, PartialEq, Eq, Default, serde::Deserialize)]
+#[serde(default)]
+pub struct State {
+    pub state: String,
+    pub plant: String,
+    pub individual: String,
+    pub day: String,
+    pub cells: String,
+    pub fingerprint: String,
+    pub backend: String,
+}
+
+/// How long a plant may take to grow on a busy machine that draws without a graphics card.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+static ALONE: Mutex<()> = Mutex::new(());
+
+impl Page {
+    /// Opens a link (`#…`, or nothing) in a fresh browser. None where there is no Chromium or no
+    /// built page: the test is skipped then, which is said. Under `./playground test` that is a
+    /// failure.
+    pub fn open(graphics: Graphics, link: &str) -> Option<Page> {
+        let page = Page::start(graphics)?;
+        page.visit(link);
+        Some(page)
+    }
+
+    /// A browser that has not gone anywhere yet.
+    pub fn start(graphics: Graphics) -> Option<Page> {
+        let wanted = std::env::var("BROWSER_TESTS").unwrap_or_default();
+        let missing = match (wanted.as_str(), tools()) {
+            ("off", _) => "BROWSER_TESTS is off".to_string(),
+            (_, Err(missing)) => missing,
+            (_, Ok((chromedriver, chromium))) => {
+                let alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+                let arguments = [&BASE_ARGUMENTS, graphics.arguments()].concat();
+                let browser = WebDriver::start(&chromedriver, &chromium, &arguments);
+                return Some(Page { browser, server: Server::start(&dist()), _alone: alone });
+            }
+        };
+        assert!(wanted != "required", "{missing}");
+        let test = std::thread::current().name().unwrap_or_default().to_string();
+        // Past the test harness, which would keep it to itself.
+        let _ = writeln!(std::io::stderr(), "SKIPPED {test}: {missing}");
+        None
+    }
+
+    /// Loads the page anew with this link.
+    pub fn visit(&self, link: &str) {
+        self.browser.open("about:blank");
+        self.browser.open(&format!("{}{link}", self.server.address()));
+    }
+
+    pub fn state(&self) -> State {
+        let data = self.run("return {...document.documentElement.dataset}");
+        serde_json::from_value(data).expect("words and numbers")
+    }
+
+    /// Waits until the page says this of itself; the state that it then has.
+    pub fn wait(&self, what: &str, is_so: impl Fn(&State) -> bool) -> State {
+        let begun = Instant::now();
+        loop {
+            let state = self.state();
+            if is_so(&state) {
+                return state;
+            }
+            if begun.elapsed() > PATIENCE || state.state == "error" {
+                let complaints = self.browser.complaints();
+                panic!("waited for {what}: {state:?}, {:?}, {complaints:#?}", self.messages());
+            }
+            std::thread::sleep(Duration::from_millis(30));
+        }
+    }
+
+    /// Waits until all that was asked for is on the screen.
+    pub fn ready(&self) -> State {
+        self.wait("the page to rest", |s| s.state == "ready")
+    }
+
+    /// Waits until this day is on the screen.
+    pub fn on_day(&self, day: u32) -> State {
+        self.wait(&format!("day {day}"), |s| s.state == "ready" && s.day == day.to_string())
+    }
+
+    /// Waits until something holds that only a script can tell.
+    pub fn wait_for(&self, what: &str, script: &str) {
+        self.wait(what, |_| self.run(script) == true);
+    }
+
+    pub fn run(&self, script: &str) -> Value {
+        self.browser.execute(script, &[])
+    }
+
+    pub fn text(&self, id: &str) -> String {
+        let script = "return document.getElementById(arguments[0]).textContent";
+        let text = self.browser.execute(script, &[json!(id)]);
+        text.as_str().unwrap_or_default().trim().to_string()
+    }
+
+    /// The messages that the visitor sees.
+    pub fn messages(&self) -> String {
+        let script = "const m = document.getElementById('messages');
+                      return m && m.checkVisibility() ? m.innerText : ''";
+        self.run(script).as_str().unwrap_or_default().to_string()
+    }
+
+    pub fn element(&self, css: &str) -> Element {
+        self.browser.find(css)
+    }
+
+    pub fn click(&self, id: &str) {
+        self.browser.click(&self.element(&format!("#{id}")));
+    }
+
+    /// Replaces what stands in a field and leaves it with Enter.
+    pub fn fill_in(&self, id: &str, text: &str) {
+        let select = "const e = document.getElementById(arguments[0]); e.focus(); e.select()";
+        self.browser.execute(select, &[json!(id)]);
+        self.browser.type_into(&self.element(&format!("#{id}")), &format!("{text}{}", keys::ENTER));
+    }
+
+    /// Drags the day slider there and lets go.
+    pub fn drag_to_day(&self, day: f64) {
+        let script = "const e = document.getElementById('day'); e.value = arguments[0];
+                      e.dispatchEvent(new Event('input', {bubbles: true}));
+                      e.dispatchEvent(new Event('change', {bubbles: true}))";
+        self.browser.execute(script, &[json!(day)]);
+    }
+
+    pub fn choose(&self, plant: &str) {
+        let radio = format!("#plants label:has(input[value={plant}])");
+        self.browser.click(&self.element(&radio));
+    }
+
+    pub fn press(&self, keys: &[&str]) {
+        self.browser.press(keys);
+    }
+
+    /// The part of the address after the `#`.
+    pub fn link(&self) -> String {
+        let hash = self.run("return location.hash");
+        hash.as_str().unwrap_or_default().trim_start_matches('#').to_string()
+    }
+
+    /// What the canvas shows.
+    pub fn picture(&self) -> Picture {
+        Picture::decode(&self.browser.screenshot(&self.element("#canvas")))
+    }
+
+    pub fn devtools(&self, command: &str, parameters: Value) -> Value {
+        self.browser.devtools(command, parameters)
+    }
+
+    /// Errors on the console since the last call.
+    pub fn complaints(&self) -> Vec<String> {
+        self.browser.complaints()
+    }
+}
+
+/// Keys that are no letters (WebDriver 17.4.2).
+pub mod keys {
+    pub const TAB: &str = "\u{e004}";
+    pub const ENTER: &str = "\u{e007}";
+    pub const SPACE: &str = " ";
+    pub const HOME: &str = "\u{e011}";
+    pub const LEFT: &str = "\u{e012}";
+    pub const RIGHT: &str = "\u{e014}";
+    pub const DOWN: &str = "\u{e015}";
+}
+
+/// A screenshot: rows of RGB from the top.
+pub struct Picture {
+    pub width: usize,
+    pub height: usize,
+    pub rgb: Vec<[u8; 3]>,
+}
+
+impl Picture {
+    fn decode(base64: &str) -> Picture {
+        let bytes = from_base64(base64);
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
+        let mut data = vec![0; reader.output_buffer_size().expect("a small picture")];
+        let info = reader.next_frame(&mut data).expect("a whole PNG");
+        let step = info.color_type.samples();
+        assert!(step >= 3, "a picture in colour");
+        let pixels = data[..info.buffer_size()].chunks_exact(step);
+        Picture {
+            width: info.width as usize,
+            height: info.height as usize,
+            rgb: pixels.map(|p| [p[0], p[1], p[2]]).collect(),
+        }
+    }
+
+    /// Mean difference of two pictures of one size, 0 to 255.
+    pub fn difference(&self, other: &Picture) -> f64 {
+        assert_eq!((self.width, self.height), (other.width, other.height));
+        let pairs = self.rgb.iter().flatten().zip(other.rgb.iter().flatten());
+        let sum: u64 = pairs.map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
+        sum as f64 / (3 * self.rgb.len()) as f64
+    }
+
+    /// How many different colours there are.
+    pub fn colours(&self) -> usize {
+        self.rgb.iter().collect::<std::collections::HashSet<_>>().len()
+    }
+}
+
+fn from_base64(text: &str) -> Vec<u8> {
+    let value = |c: u8| match c {
+        b'A'..=b'Z' => c - b'A',
+        b'a'..=b'z' => c - b'a' + 26,
+        b'0'..=b'9' => c - b'0' + 52,
+        b'+' => 62,
+        _ => 63,
+    };
+    let mut bytes = Vec::with_capacity(text.len() / 4 * 3);
+    for four in text.trim_end_matches('=').as_bytes().chunks(4) {
+        let bits = four.iter().fold(0u32, |bits, &c| bits << 6 | u32::from(value(c)));
+        let bits = bits << (6 * (4 - four.len()));
+        bytes.extend_from_slice(&bits.to_be_bytes()[1..four.len()]);
+    }
+    bytes
+}
+
+/// Where chromedriver and Chromium are, or what is missing.
+fn tools() -> Result<(String, String), String> {
+    if !dist().join("index.html").is_file() {
+        return Err("the page is not built: ./playground build".to_string());
+    }
+    let chromedriver = tool("CHROMEDRIVER", &["chromedriver"])?;
+    let chromium = tool(
+        "CHROMIUM",
+        &["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"],
+    )?;
+    Ok((chromedriver, chromium))
+}
+
+fn tool(variable: &str, names: &[&str]) -> Result<String, String> {
+    if let Ok(path) = std::env::var(variable) {
+        return Ok(path);
+    }
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    std::env::split_paths(&path)
+        .flat_map(|folder| names.iter().map(move |name| folder.join(name)))
+        .find(|file| Path::is_file(file))
+        .map(|file| file.to_string_lossy().into_owned())
+        .ok_or_else(|| format!("there is no {} on the PATH, nor in ${variable}", names[0]))
+}
+
+#[test]
+fn base_64_is_read() {
+    for (text, plain) in
+        [("", ""), ("TQ==", "M"), ("TWE=", "Ma"), ("TWFu", "Man"), ("TWFuTQ==", "ManM")]
+    {
+        assert_eq!(from_base64(text), plain.as_bytes());
+    }
+}

@@ -1,0 +1,47 @@
+//! The same scene is the same cells: in the worker, natively, and for whoever opens the link.
+
+use crate::page::{Graphics, Page};
+use clonal_mosaic::plants;
+use clonal_mosaic::play::link;
+use clonal_mosaic::tissue::{Growth, Progress};
+use std::sync::Arc;
+
+/// The fingerprint of a link's day, grown natively.
+fn native(text: &str) -> String {
+    let opened = link::read(text, plants::all());
+    assert!(opened.left_out.is_empty(), "{text}: {:?}", opened.left_out);
+    let scene = opened.scene;
+    let mesh = Arc::new((scene.plant.body)().surface);
+    let controls = (scene.plant.controls)();
+    let mut growth = Growth::new(mesh, scene.recipe, &controls, scene.individual).unwrap();
+    while growth.step() != Progress::Day(scene.day) {}
+    growth.diary.fingerprint(scene.day as usize)
+}
+
+#[test]
+fn the_worker_grows_the_cells_that_grow_natively() {
+    let Some(page) = Page::start(Graphics::Neither) else { return };
+    for link in [
+        "croton?v=1&s=1&d=4",
+        "croton?v=1&s=4294967295&d=2",
+        "cactus?v=1&s=0&d=2",
+        "watermelon?v=1&s=17&d=8",
+        "mushroom?v=1&s=3&d=2",
+    ] {
+        page.visit(&format!("#{link}"));
+        let state = page.ready();
+        assert_eq!(state.fingerprint, native(link), "{link}");
+        assert_eq!(page.link(), link, "the address stays as it is");
+    }
+}
+
+#[test]
+fn golden_links_show_what_they_showed() {
+    let Some(page) = Page::start(Graphics::Neither) else { return };
+    for line in include_str!("../golden_links.txt").lines().filter(|l| !l.starts_with('#')) {
+        let (link, fingerprint) = line.split_once(' ').unwrap();
+        page.visit(&format!("#{link}"));
+        assert_eq!(page.ready().fingerprint, fingerprint, "{link}");
+        assert_eq!(page.messages(), "", "{link}");
+    }
+}

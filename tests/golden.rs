@@ -1,0 +1,53 @@
+//! Links that were sent once show the same cells for ever. The browser's tests read the same table.
+
+use clonal_mosaic::plants;
+use clonal_mosaic::play::link;
+use clonal_mosaic::tissue::{Growth, Progress};
+use std::sync::Arc;
+
+const TABLE: &str = include_str!("golden_links.txt");
+
+/// Links and their fingerprints.
+fn golden() -> impl Iterator<Item = (&'static str, &'static str)> {
+    TABLE.lines().filter(|line| !line.starts_with('#')).filter_map(|line| line.split_once(' '))
+}
+
+fn fingerprint(text: &str) -> String {
+    let opened = link::read(text, plants::all());
+    assert!(opened.left_out.is_empty(), "{text}: {:?}", opened.left_out);
+    let scene = opened.scene;
+    let mesh = Arc::new((scene.plant.body)().surface);
+    let controls = (scene.plant.controls)();
+    let mut growth = Growth::new(mesh, scene.recipe, &controls, scene.individual).unwrap();
+    while growth.step() != Progress::Day(scene.day) {}
+    growth.diary.fingerprint(scene.day as usize)
+}
+
+#[test]
+fn golden_links_grow_the_cells_that_they_grew() {
+    assert!(golden().count() >= 10);
+    let changed: Vec<String> = golden()
+        .map(|(link, expected)| (link, expected, fingerprint(link)))
+        .filter(|(_, expected, found)| expected != found)
+        .map(|(link, expected, found)| format!("{link}: {expected} has become {found}"))
+        .collect();
+    assert!(changed.is_empty(), "links that were sent now lie:\n{}", changed.join("\n"));
+}
+
+#[test]
+fn golden_links_are_written_as_they_were_read() {
+    for (text, _) in golden() {
+        assert_eq!(link::write(&link::read(text, plants::all()).scene), text);
+    }
+}
+
+/// For the days before the first version is out: afterwards a changed fingerprint is a new version.
+#[test]
+#[ignore = "writes tests/golden_links.txt"]
+fn write_golden_links_anew() {
+    let comments = TABLE.lines().filter(|line| line.starts_with('#')).map(str::to_string);
+    let rows = golden().map(|(link, _)| format!("{link} {}", fingerprint(link)));
+    let text: Vec<String> = comments.chain(rows).collect();
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden_links.txt");
+    std::fs::write(path, text.join("\n") + "\n").unwrap();
+}

@@ -1,0 +1,184 @@
+//! What holds for every growth: nobody is lost, everybody stands on the surface, and the same wish
+//! gives the same cells.
+
+use crate::meshes::{blade, cube, flat, icosphere, shaken, sheet};
+use crate::{chi_square, grow, rare_chi_square, without_relaxation};
+use clonal_mosaic::surface::{Control, ControlImage, Cylinder, Mesh};
+use clonal_mosaic::tissue::{CellType, Diary, Growth, Progress, Recipe};
+use glam::{Vec2, Vec3};
+use std::sync::Arc;
+
+#[test]
+fn invariants_hold_on_every_body() {
+    let recipe = Recipe {
+        initial_cells: 300,
+        initial_probability: [0.4, 0.4, 0.2],
+        division_days: [5.0, 7.0, 9.0],
+        mutation: [[0.9, 0.1, 0.0], [0.0, 1.0, 0.0], [0.1, 0.0, 0.9]],
+        days: 12,
+        ..Recipe::default()
+    };
+    let far = Recipe { radius_scale: 4.0, repulsion: 0.02, ..recipe.clone() };
+    for mesh in [
+        icosphere(4, 10.0),
+        icosphere(0, 10.0),
+        cube(5, 3.0),
+        blade(10, 4.0),
+        sheet(10, 4.0, shaken(4.0, 0.1)),
+    ] {
+        let mesh = Arc::new(mesh);
+        for recipe in [&recipe, &far] {
+            check_diary(&mesh, recipe, &grow(&mesh, recipe, 9));
+        }
+    }
+}
+
+fn check_diary(mesh: &Mesh, recipe: &Recipe, diary: &Diary) {
+    assert_eq!(diary.days.len(), recipe.days as usize + 1);
+    let first = recipe.initial_cells as usize;
+    for (id, cell) in diary.lineage.iter().enumerate() {
+        let parent = diary.lineage[cell.parent as usize];
+        if id < first {
+            assert_eq!((cell.parent, cell.founder, cell.born_day), (id as u32, id as u32, 0));
+        } else {
+            assert!((cell.parent as usize) < id && parent.born_day <= cell.born_day);
+            assert_eq!(cell.founder, parent.founder);
+            assert!(cell.born_day >= diary.lineage[id - 1].born_day, "numbered by birth");
+        }
+        assert_eq!(
+            mesh.parts[diary.days[cell.born_day as usize].places[id].triangle as usize],
+            mesh.parts[diary.days.last().unwrap().places[id].triangle as usize],
+            "nobody leaves its part"
+        );
+    }
+    for (number, day) in diary.days.iter().enumerate() {
+        let born = diary.lineage[first..].iter().filter(|c| c.born_day as usize <= number).count();
+        assert_eq!(day.places.len(), first + born, "first cells and divisions on day {number}");
+        let radius = recipe.radius_scale * (mesh.area / day.places.len() as f32).sqrt();
+        assert!((day.repulsive_radius / radius - 1.0).abs() < 1e-6);
+        for place in &day.places {
+            assert!((place.triangle as usize) < mesh.triangles.len());
+            assert!(place.b1 >= 0.0 && place.b2 >= 0.0, "{place:?}");
+            assert!(1.0 - place.b1 - place.b2 >= -1e-6, "{place:?}");
+        }
+        let count = diary.count(number);
+        assert_eq!(count.cells as usize, day.places.len());
+        assert_eq!(count.by_type.iter().sum::<u32>(), count.cells);
+    }
+}
+
+#[test]
+fn the_same_wish_gives_the_same_cells() {
+    let mesh = Arc::new(icosphere(3, 10.0));
+    let recipe = Recipe { initial_cells: 400, days: 10, ..Recipe::default() };
+    let long = grow(&mesh, &recipe, 17);
+    assert_eq!(long, grow(&mesh, &recipe, 17));
+    // A day does not know how many days will come after it.
+    let short = grow(&mesh, &Recipe { days: 4, ..recipe.clone() }, 17);
+    assert_eq!(short.days[..], long.days[..5]);
+    assert_eq!(short.lineage[..], long.lineage[..short.lineage.len()]);
+    let prints: Vec<String> = (0..=10).map(|day| long.fingerprint(day)).collect();
+    let other = grow(&mesh, &recipe, 18);
+    for (day, print) in prints.iter().enumerate() {
+        assert_eq!(print.len(), 6);
+        assert_ne!(*print, other.fingerprint(day), "another individual is another");
+        assert!(prints.iter().filter(|p| *p == print).count() == 1, "days differ");
+    }
+}
+
+#[test]
+fn growth_ends_at_the_cap_and_keeps_what_has_grown() {
+    let mesh = Arc::new(icosphere(2, 10.0));
+    let free =
+        Recipe { initial_cells: 200, division_days: [4.0; 3], days: 15, ..Recipe::default() };
+    let capped = Recipe { max_cells: 900, ..free.clone() };
+    let mut growth = Growth::new(mesh.clone(), capped, &[], 3).unwrap();
+    let mut progress = growth.step();
+    while !matches!(progress, Progress::Full | Progress::Done) {
+        progress = growth.step();
+    }
+    assert_eq!((progress, growth.step()), (Progress::Full, Progress::Full));
+    let all = grow(&mesh, &free, 3);
+    let days = growth.diary.days.len();
+    assert_eq!(growth.diary.days[..], all.days[..days]);
+    assert_eq!(growth.diary.lineage.len(), growth.diary.days[days - 1].places.len());
+    assert!(all.days[days].places.len() > 900 && growth.diary.lineage.len() <= 900);
+}
+
+#[test]
+fn first_cells_are_spread_evenly_by_area() {
+    // Triangles of very different areas.
+    let mesh = Arc::new(sheet(8, 4.0, |p| flat(Vec2::new(p.x * p.x, p.y))));
+    let recipe = Recipe { initial_cells: 60_000, days: 0, ..without_relaxation() };
+    let diary = grow(&mesh, &recipe, 1);
+    let mut found = vec![0.0; mesh.triangles.len()];
+    let mut halves = [0.0; 3];
+    for place in &diary.days[0].places {
+        found[place.triangle as usize] += 1.0;
+        // Each corner of a triangle has a quarter of its area nearest in barycentrics.
+        let b = [1.0 - place.b1 - place.b2, place.b1, place.b2];
+        for k in 0..3 {
+            halves[k] += f64::from(b[k] > 0.5);
+        }
+    }
+    let share = |area: f32| f64::from(area / mesh.area) * 60_000.0;
+    let expected: Vec<f64> = mesh.areas.iter().map(|&area| share(area)).collect();
+    let distance = chi_square(&found, &expected);
+    assert!(distance < rare_chi_square(mesh.triangles.len() - 1), "{distance}");
+    for half in halves {
+        assert!((half - 15_000.0).abs() < 4.417 * (60_000.0f64 * 0.25 * 0.75).sqrt(), "{halves:?}");
+    }
+}
+
+#[test]
+fn first_cells_have_the_types_of_the_recipe_and_the_control_image() {
+    let mesh = Arc::new(icosphere(3, 10.0));
+    let recipe = Recipe {
+        initial_cells: 20_000,
+        initial_probability: [0.6, 0.3, 0.1],
+        days: 0,
+        ..without_relaxation()
+    };
+    let counts = grow(&mesh, &recipe, 2).count(0).by_type.map(f64::from);
+    let distance = chi_square(&counts, &[12_000.0, 6_000.0, 2_000.0]);
+    assert!(distance < rare_chi_square(2), "{counts:?}");
+
+    let cylinder =
+        Cylinder { base: Vec3::new(0.0, -10.0, 0.0), axis: Vec3::Y, zero: Vec3::X, height: 20.0 };
+    let image = ControlImage::paint(1, 2, |_, height| height > 0.5);
+    let control = Control { cylinder, image };
+    let mut growth = Growth::new(mesh.clone(), recipe, &[control], 2).unwrap();
+    while growth.step() != Progress::Done {}
+    let mut above = [0u32; 3];
+    for (place, cell) in growth.diary.days[0].places.iter().zip(&growth.diary.lineage) {
+        let high = mesh.point(*place).y > 0.0;
+        assert!(high || cell.kind != CellType::Foreground, "F only where the image is white");
+        above[cell.kind as usize] += u32::from(high);
+    }
+    let all = growth.diary.count(0).by_type.map(f64::from);
+    assert_eq!(above[0] as f64, all[0]);
+    assert_eq!(all[2], counts[2], "M is not the image's business");
+    assert_eq!(all[0] + all[1], counts[0] + counts[1], "what is not F is B");
+}
+
+#[test]
+fn children_appear_in_a_small_disc_around_their_parent() {
+    let mesh = Arc::new(sheet(6, 8.0, shaken(8.0, 0.3)));
+    let recipe =
+        Recipe { initial_cells: 10_000, division_days: [6.0; 3], days: 8, ..without_relaxation() };
+    let diary = grow(&mesh, &recipe, 8);
+    let (mut squares, mut births) = (0.0, 0.0);
+    for (id, cell) in diary.lineage.iter().enumerate().skip(10_000) {
+        let day = cell.born_day as usize;
+        let at = |cell: usize| mesh.point(diary.days[day].places[cell]);
+        let reach = 0.005 * diary.days[day - 1].repulsive_radius;
+        let distance = at(id).distance(at(cell.parent as usize));
+        // The sheet's coordinates are rounded to about a millionth.
+        assert!(distance <= reach + 2e-6, "{distance} is over {reach}");
+        squares += f64::from((distance / reach).powi(2));
+        births += 1.0;
+    }
+    // The square of a uniform point's distance is uniform itself.
+    let error = (1.0f64 / 12.0 / births).sqrt();
+    assert!((squares / births - 0.5).abs() < 4.417 * error + 2e-3, "{}", squares / births);
+}
