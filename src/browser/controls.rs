@@ -47,6 +47,10 @@ impl Controls {
         {
             listeners.push(click(id, move || app::send(event.clone())));
         }
+        listeners.push(click("sheet", draw_sheet));
+        listeners.push(on(&find::<Element>("panel"), "submit", |event: web_sys::Event| {
+            event.prevent_default();
+        }));
         // A link within the page would be taken for one to a plant.
         listeners.push(on(&find::<Element>("skip"), "click", |event: web_sys::Event| {
             event.prevent_default();
@@ -156,11 +160,22 @@ pub fn copy_link() {
         if copied {
             app::say("Link copied");
             set_text(&link, "Link copied");
+            // Taken away and read back in between, so that the animation starts again.
+            set_flag(&link, "data-seen", false);
+            let _ = link.offset_width();
+            set_flag(&link, "data-seen", true);
         } else {
             app::tell(&format!("Copy this link: {address}"));
-            set_text(&link, "");
         }
     });
+}
+
+/// Draws the sheet of controls up or down; on wide screens they are always in sight.
+fn draw_sheet() {
+    let panel: Element = find("panel");
+    let open = !panel.has_attribute("data-open");
+    set_flag(&panel, "data-open", open);
+    set_attribute(&find::<Element>("sheet"), "aria-expanded", open);
 }
 
 /// Shows which keys do what.

@@ -33,7 +33,7 @@ pub struct Plant {
 }
 
 /// Colours and materials; sRGB, 0 to 1.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Look {
     /// Colours of F, B and M cells.
     pub cells: [[f32; 3]; 3],
