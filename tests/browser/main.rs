@@ -6,6 +6,7 @@
 mod journeys;
 mod ladder;
 mod page;
+mod pixels;
 mod reach;
 mod sameness;
 mod server;
