@@ -1,7 +1,9 @@
 //! The plant chooser: one radio button with a picture for each plant.
 
 use super::app;
-use super::dom::{Listener, copy_of_template, find, on, set_attribute, set_text, within};
+use super::dom::{
+    Listener, copy_of_template, find, mark_when_missing, on, set_attribute, set_text, within,
+};
 use crate::plants::Plant;
 use crate::play::page::{Event, Page};
 use wasm_bindgen::JsCast;
@@ -9,13 +11,14 @@ use web_sys::{Element, HtmlInputElement};
 
 pub struct Chooser {
     radios: Vec<HtmlInputElement>,
-    _listener: Listener,
+    _listeners: Vec<Listener>,
 }
 
 impl Chooser {
     pub fn new(plants: &'static [Plant]) -> Chooser {
         let list: Element = find("plants");
         list.set_text_content(None);
+        let mut listeners = Vec::new();
         let radios = plants
             .iter()
             .map(|plant| {
@@ -24,18 +27,19 @@ impl Chooser {
                 radio.set_value(plant.key);
                 set_text(&within(&label, ".name"), plant.name);
                 let picture: Element = within(&label, "img");
+                listeners.push(mark_when_missing(&picture));
                 set_attribute(&picture, "src", format!("posters/{}-small.webp", plant.key));
                 let _ = list.append_child(&label);
                 radio
             })
             .collect();
-        let listener = on(&list, "change", |event: web_sys::Event| {
+        listeners.push(on(&list, "change", |event: web_sys::Event| {
             let radio = event.target().and_then(|t| t.dyn_into::<HtmlInputElement>().ok());
             if let Some(radio) = radio {
                 app::send(Event::ChoosePlant(radio.value()));
             }
-        });
-        Chooser { radios, _listener: listener }
+        }));
+        Chooser { radios, _listeners: listeners }
     }
 
     pub fn show(&self, page: &Page) {

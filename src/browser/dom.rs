@@ -77,6 +77,12 @@ pub fn typed(input: &HtmlInputElement) -> Option<f64> {
     Some(input.value_as_number()).filter(|x| x.is_finite())
 }
 
+/// Marks a picture with `data-missing` when its file is not there.
+pub fn mark_when_missing(picture: &Element) -> Listener {
+    let missing = picture.clone();
+    on(picture, "error", move |_: web_sys::Event| set_flag(&missing, "data-missing", true))
+}
+
 /// Something that listens until it is dropped.
 pub struct Listener {
     target: EventTarget,

@@ -1,7 +1,7 @@
 //! The stage: the canvas, its renderer, and what has been handed to it.
 
 use super::app;
-use super::dom::{Listener, find, on, set_attribute, set_flag, window};
+use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
 use crate::draw::{DrawError, Frame, Renderer};
 use crate::mosaic::SiteLists;
 use crate::plants::{self, Look};
@@ -61,10 +61,7 @@ impl Stage {
         let resize = ResizeObserver::new(on_resize.as_ref().unchecked_ref())
             .expect("browsers observe sizes");
         resize.observe(&element);
-        let missing = poster.clone();
-        let poster_missing = on(&poster, "error", move |_: web_sys::Event| {
-            set_flag(&missing, "data-missing", true);
-        });
+        let poster_missing = mark_when_missing(&poster);
         let mut stage = Stage {
             element,
             canvas: find("canvas"),
