@@ -93,6 +93,11 @@ pub fn canvas() -> Option<web_sys::HtmlCanvasElement> {
     APP.with_borrow(|app| app.as_ref().map(|app| app.stage.canvas()))
 }
 
+/// Puts a canvas on the stage that has not been drawn on.
+pub fn renew_canvas() {
+    with(|app| app.stage.renew_canvas());
+}
+
 /// The renderer of the canvas is there.
 pub fn run(renderer: Renderer) {
     with(|app| {

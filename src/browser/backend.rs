@@ -57,6 +57,8 @@ fn start_webgl_bundle() {
         app::stay_still("The part of this page that draws with WebGL2 could not be loaded.");
     });
     script.set_onerror(Some(failed.unchecked_ref()));
+    // A canvas that was asked for WebGPU never gives WebGL2.
+    app::renew_canvas();
     app::end();
     if let Some(head) = window().document().and_then(|d| d.head()) {
         let _ = head.append_child(&script);
