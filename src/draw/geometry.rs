@@ -51,8 +51,8 @@ pub struct Geometry {
 
 /// Radius of the ground disc, in radii of the body.
 const GROUND_RADII: f32 = 2.4;
-const GROUND_RINGS: u32 = 40;
-const GROUND_SECTORS: u32 = 72;
+const GROUND_RINGS: u32 = 56;
+const GROUND_SECTORS: u32 = 96;
 
 impl Geometry {
     /// Takes a body apart. `material` gives the number of a bare material by its name.
@@ -184,7 +184,7 @@ fn ground(shade: &Shade, bounds: &Bounds) -> (Vec<GroundCorner>, Vec<[u32; 3]>) 
             let share = ring as f32 / GROUND_RINGS as f32;
             let radius = share * (0.35 + 0.65 * share);
             (0..GROUND_SECTORS).map(move |sector| {
-                let turn = (sector as f32 + 0.5 * (ring % 2) as f32) / GROUND_SECTORS as f32;
+                let turn = sector as f32 / GROUND_SECTORS as f32;
                 let (sin, cos) = libm::sincosf(turn * std::f32::consts::TAU);
                 Vec2::new(cos, sin) * radius
             })
@@ -194,21 +194,36 @@ fn ground(shade: &Shade, bounds: &Bounds) -> (Vec<GroundCorner>, Vec<[u32; 3]>) 
         outs.iter().map(|out| disc.truncate() + Vec3::new(out.x, 0.0, out.y) * disc.w).collect();
     let sky = shade.sky(&points.iter().map(|&p| (p, Vec3::Y)).collect::<Vec<_>>());
     let lamp = shade.lamp(key_direction(), &points);
-    let corners = (outs.iter().zip(sky.iter().zip(&lamp)))
-        .map(|(&out, (&sky, &lamp))| GroundCorner {
-            out,
-            darkness: Vec2::new(1.0 - sky, 1.0 - lamp),
-        })
-        .collect();
+    let darkness = sky.iter().zip(&lamp).map(|(sky, lamp)| Vec2::new(1.0 - sky, 1.0 - lamp));
+    let darkness = smoothed(darkness.collect());
+    let corners =
+        outs.into_iter().zip(darkness).map(|(out, darkness)| GroundCorner { out, darkness });
     let triangles = (0..GROUND_RINGS)
         .flat_map(|ring| (0..GROUND_SECTORS).map(move |sector| (ring, sector)))
         .flat_map(|(ring, sector)| {
             let at = |ring: u32, sector: u32| ring * GROUND_SECTORS + sector % GROUND_SECTORS;
-            // Odd rings are turned by half a sector: the strip zigzags one way, then the other.
             let (a, b) = (at(ring, sector), at(ring, sector + 1));
             let (c, d) = (at(ring + 1, sector), at(ring + 1, sector + 1));
-            if ring % 2 == 0 { [[a, b, c], [b, d, c]] } else { [[a, b, d], [a, d, c]] }
+            [[a, b, c], [b, d, c]]
         })
         .collect();
-    (corners, triangles)
+    (corners.collect(), triangles)
+}
+
+/// Rounds off what the grain of the depth maps leaves in the shadow: each corner of the ground is
+/// mixed with its four neighbours, a few times.
+fn smoothed(mut darkness: Vec<Vec2>) -> Vec<Vec2> {
+    let sectors = GROUND_SECTORS as usize;
+    for _ in 0..6 {
+        let old = darkness.clone();
+        for (k, value) in darkness.iter_mut().enumerate() {
+            let (ring, sector) = (k / sectors * sectors, k % sectors);
+            let around = old[ring + (sector + 1) % sectors]
+                + old[ring + (sector + sectors - 1) % sectors]
+                + old[k.checked_sub(sectors).unwrap_or(k)]
+                + old.get(k + sectors).copied().unwrap_or(old[k]);
+            *value = 0.4 * old[k] + 0.15 * around;
+        }
+    }
+    darkness
 }

@@ -209,8 +209,10 @@ impl Renderer {
             pass.set_vertex_buffer(0, model.corners.slice(..));
             pass.set_pipeline(&self.pipelines.surface);
             pass.draw(0..model.surface_corners, 0..1);
-            pass.set_pipeline(&self.pipelines.bare);
-            pass.draw(model.surface_corners..model.all_corners, 0..1);
+            if model.all_corners > model.surface_corners {
+                pass.set_pipeline(&self.pipelines.bare);
+                pass.draw(model.surface_corners..model.all_corners, 0..1);
+            }
             // From below the ground there is no shadow to see.
             if frame.eye.y > model.ground_height {
                 pass.set_pipeline(&self.pipelines.ground);

@@ -23,31 +23,35 @@ struct Veins {
     slope: vec2f,
 }
 
-// A midrib and side veins that leave it in pairs and bend towards the tip. Profiles are Gaussians,
-// widened to the pixel where they are thinner than one.
+// A ridge of half width 1: its height, and how that changes; flat on top, with soft flanks.
+fn ridge(x: f32) -> vec2f {
+    let height = exp(-x * x * x * x);
+    return vec2f(height, -4.0 * x * x * x * height);
+}
+
+// A midrib and side veins that leave it in pairs and bend towards the tip. Where they are thinner
+// than a pixel they are widened to it, and fainter.
 fn veins(uv: vec2f, uv_dx: vec2f, uv_dy: vec2f) -> Veins {
     let x = abs(uv.x);
     let side_of = sign(uv.x);
-    let mid_width = 0.055 * (1.0 - 0.6 * uv.y);
-    let mid_pixel = 0.6 * length(vec2f(uv_dx.x, uv_dy.x));
-    let mid_spread = sqrt(mid_width * mid_width + mid_pixel * mid_pixel);
-    let midrib = exp(-x * x / (mid_spread * mid_spread)) * mid_width / mid_spread;
+    let mid_width = 0.05 * (1.0 - 0.6 * uv.y);
+    let mid_drawn = max(mid_width, 0.7 * length(vec2f(uv_dx.x, uv_dy.x)));
+    let midrib = ridge(uv.x / mid_drawn) * mid_width / mid_drawn;
 
     const PAIRS = 12.0;
     let lean = scene.tissue.y;
     let phase = PAIRS * (uv.y - lean * (x + 0.35 * x * x)) + 0.2 * side_of;
     let phase_change = PAIRS * vec2f(-lean * (1.0 + 0.7 * x) * side_of, 1.0);
-    let side_pixel = 0.6 * length(vec2f(dot(phase_change, uv_dx), dot(phase_change, uv_dy)));
-    let side_width = 0.055 * (1.0 - 0.75 * x);
-    let side_spread = sqrt(side_width * side_width + side_pixel * side_pixel);
-    let off = (fract(phase) - 0.5) / side_spread;
-    let ends = smoothstep(0.0, 0.06, phase / PAIRS) * (1.0 - smoothstep(0.9, 1.0, x))
-        * (1.0 - smoothstep(0.85, 0.97, uv.y)) * (1.0 - smoothstep(0.2, 0.5, side_pixel));
-    let side = exp(-off * off) * ends * side_width / side_spread;
+    let pixel = length(vec2f(dot(phase_change, uv_dx), dot(phase_change, uv_dy)));
+    let side_width = 0.05 * (1.0 - 0.75 * x);
+    let side_drawn = max(side_width, 0.7 * pixel);
+    // They end before rim, foot and tip, and where they would run into each other on the screen.
+    let ends = smoothstep(0.0, 0.5, phase) * (1.0 - smoothstep(0.85, 1.0, x))
+        * (1.0 - smoothstep(0.85, 0.97, uv.y)) * (1.0 - smoothstep(0.15, 0.35, pixel));
+    let side = ridge((fract(phase) - 0.5) / side_drawn) * ends * side_width / side_drawn;
 
-    let slope = vec2f(-2.0 * uv.x / (mid_spread * mid_spread) * midrib, 0.0)
-        - 0.3 * phase_change * (2.0 * off / side_spread * side);
-    return Veins(midrib, side, slope);
+    let slope = vec2f(midrib.y / mid_drawn, 0.0) + 0.3 * phase_change * side.y / side_drawn;
+    return Veins(midrib.x, side.x, slope);
 }
 
 @fragment

@@ -15,12 +15,16 @@ struct Mosaic {
     slope: vec2f,
 }
 
-struct Site {
+struct Near {
     // From the fragment, in units of the list's scale.
     offset: vec2f,
     distance2: f32,
-    cell: u32,
-    kind: u32,
+    site: u32,
+}
+
+struct Cell {
+    number: u32,
+    colour: vec3f,
 }
 
 fn unpack(word: u32) -> vec2f {
@@ -35,9 +39,14 @@ fn chance(cell: u32) -> f32 {
     return f32((h ^ (h >> 16u)) & 0xffffu) / 65535.0;
 }
 
-fn cell_colour(site: Site) -> vec3f {
-    let lightness = 1.0 + scene.look.x * (2.0 * chance(site.cell) - 1.0);
-    return scene.cells[site.kind].rgb * lightness * lightness;
+fn read_site(site: u32) -> vec4u {
+    return textureLoad(sites, vec2u(site & 2047u, site >> 11u), 0);
+}
+
+fn read_cell(site: u32) -> Cell {
+    let words = read_site(site);
+    let lightness = 1.0 + scene.look.x * (2.0 * chance(words.z) - 1.0);
+    return Cell(words.z, scene.cells[words.w & 3u].rgb * lightness * lightness);
 }
 
 // `place` in the plane of the triangle, with its derivatives along x and y of the screen.
@@ -55,31 +64,35 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
     let mean_radius = max(1.3 * spacing, pixel) / scale;
     let per_radius2 = 1.0 / (mean_radius * mean_radius);
 
-    var first = Site(vec2f(0.0), 1e30, 0u, 1u);
+    var first = Near(vec2f(0.0), 1e30, 0u);
     var second = first;
     var third = first;
     var shares = vec3f(0.0);
     for (var i = head.x; i < head.x + head.y; i++) {
-        let word = textureLoad(sites, vec2u(i & 2047u, i >> 11u), 0);
-        let offset = mix(unpack(word.y), unpack(word.x), scene.eye.w) - here;
-        let site = Site(offset, dot(offset, offset), word.z, word.w & 3u);
-        if site.distance2 < first.distance2 {
-            third = second;
-            second = first;
-            first = site;
-        } else if site.distance2 < second.distance2 {
-            third = second;
-            second = site;
-        } else if site.distance2 < third.distance2 {
-            third = site;
+        let words = read_site(i);
+        let offset = mix(unpack(words.y), unpack(words.x), scene.eye.w) - here;
+        let near = Near(offset, dot(offset, offset), i);
+        if near.distance2 < third.distance2 {
+            if near.distance2 < second.distance2 {
+                third = second;
+                if near.distance2 < first.distance2 {
+                    second = first;
+                    first = near;
+                } else {
+                    second = near;
+                }
+            } else {
+                third = near;
+            }
         }
         if apart < 1.0 {
-            let near = max(1.0 - site.distance2 * per_radius2, 0.0);
-            shares += near * near * vec3f(vec3u(site.kind) == vec3u(0u, 1u, 2u));
+            let weight = max(1.0 - near.distance2 * per_radius2, 0.0);
+            shares += weight * weight * vec3f(vec3u(words.w & 3u) == vec3u(0u, 1u, 2u));
         }
     }
 
-    var colour = cell_colour(first);
+    let own = read_cell(first.site);
+    var colour = own.colour;
     var line = 0.0;
     var slope = vec2f(0.0);
     let half_line = BORDER_SHARE * spacing;
@@ -97,18 +110,26 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
         let to_border = dot(0.5 * scale * (first.offset + other.offset), across);
         // Width of the pixel across this border.
         let width = max(length(vec2f(dot(across, place_dx), dot(across, place_dy))), 1e-9);
-        // A newborn cell stands where its parent stands: its border comes as they part.
+        // A newborn cell stands where its parent stands: its border and its colour come as they part.
         let parted = smoothstep(0.0, 0.3, apart_cm / spacing);
-        let own = clamp(0.5 + to_border / width, 0.0, 1.0);
-        colour = mix(cell_colour(other), colour, mix(1.0, own, parted));
+        let neighbour = read_cell(other.site);
+        if neighbour.number == own.number {
+            // Its other image, seen on the far side of a curved vertex: no border.
+            continue;
+        }
+        var kept = mix(1.0, clamp(0.5 + to_border / width, 0.0, 1.0), parted);
+        if neighbour.number < own.number && parted < 1.0 {
+            kept = max(parted, scene.eye.w);
+        }
+        colour = mix(neighbour.colour, colour, kept);
         let drawn = max(half_line, 0.5 * width);
         let cover = clamp(0.5 + (drawn - to_border) / width, 0.0, 1.0) * half_line / drawn;
         line = max(line, cover * parted);
-        let steep = to_border / (2.5 * half_line);
+        let steep = to_border / (1.7 * half_line);
         slope += across * (parted * exp(-steep * steep));
     }
     // Cells are a little domed, where they are large enough to see it.
-    slope *= 0.22 * smoothstep(8.0, 24.0, spacing / pixel);
+    slope *= 0.16 * smoothstep(8.0, 24.0, spacing / pixel);
 
     let border = scene.look.y * (2.0 - scene.look.y);
     if apart < 1.0 {

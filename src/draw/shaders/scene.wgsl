@@ -72,25 +72,26 @@ struct Surface {
     translucency: f32,
 }
 
-const KEY = vec3f(1.12, 1.06, 0.96);
+const KEY = vec3f(1.06, 1.00, 0.91);
 const SKY = vec3f(0.37, 0.40, 0.45);
-const SOIL = vec3f(0.19, 0.175, 0.15);
+const SOIL = vec3f(0.28, 0.265, 0.24);
+const DARK_SOIL = vec3f(0.15, 0.145, 0.14);
 const FILL = vec3f(0.15, 0.155, 0.165);
 
-// Share of the key light that reaches a point: sixteen comparisons, each already a blend of four
+// Share of the key light that reaches a point: nine comparisons, each already a blend of four
 // texels, spread so that their tents just overlap and the edge of the shadow is smooth.
 fn key_visibility(point: vec3f) -> f32 {
     let clip = (scene.light_projection * vec4f(point, 1.0)).xyz;
     let middle = clip.xy * vec2f(0.5, -0.5) + 0.5;
-    let texel = 1.7 / vec2f(textureDimensions(shadow_map));
+    let step = 1.9 / vec2f(textureDimensions(shadow_map));
     var sum = 0.0;
-    for (var y = -1.5; y < 2.0; y += 1.0) {
-        for (var x = -1.5; x < 2.0; x += 1.0) {
+    for (var y = -1.0; y < 1.5; y += 1.0) {
+        for (var x = -1.0; x < 1.5; x += 1.0) {
             sum += textureSampleCompareLevel(shadow_map, shadow_sampler,
-                                             middle + vec2f(x, y) * texel, clip.z);
+                                             middle + vec2f(x, y) * step, clip.z);
         }
     }
-    return sum / 16.0;
+    return sum / 9.0;
 }
 
 // Specular reflection of a lamp: the GGX distribution with Schlick's visibility and Fresnel terms
@@ -100,16 +101,20 @@ fn glint(normal: vec3f, view: vec3f, lamp: vec3f, roughness: f32) -> f32 {
     let n_h = max(dot(normal, half_way), 0.0);
     let n_v = max(dot(normal, view), 0.02);
     let n_l = max(dot(normal, lamp), 0.0);
-    let a2 = pow(roughness, 4.0);
+    let a = roughness * roughness;
+    let a2 = a * a;
     let denominator = n_h * n_h * (a2 - 1.0) + 1.0;
     let spread = a2 / (3.1416 * denominator * denominator);
     let k = (roughness + 1.0) * (roughness + 1.0) / 8.0;
     let hidden = 4.0 * (n_v * (1.0 - k) + k) * (n_l * (1.0 - k) + k);
-    return spread * fresnel(max(dot(view, half_way), 0.0)) / hidden * n_l;
+    return spread * fresnel(max(dot(view, half_way), 0.0), 1.0) / hidden * n_l;
 }
 
-fn fresnel(cosine: f32) -> f32 {
-    return 0.04 + 0.96 * pow(1.0 - cosine, 5.0);
+// Share of the light that is mirrored, from straight on to grazing, where it is `most`.
+fn fresnel(cosine: f32, most: f32) -> f32 {
+    let off = 1.0 - cosine;
+    let off2 = off * off;
+    return 0.04 + (most - 0.04) * off2 * off2 * off;
 }
 
 // The light that a surface sends to the eye.
@@ -121,25 +126,29 @@ fn shade(surface: Surface) -> vec3f {
     // The point is lifted off its own shadow to the side on which the light falls: one texel and a
     // half where light grazes the surface, less where it falls straight on.
     let lift = scene.key.w * (1.0 + 2.0 * (1.0 - abs(n_key)));
-    let lit = key_visibility(surface.world + normal * select(-lift, lift, n_key > 0.0));
+    var lit = 0.0;
+    if n_key > 0.0 || surface.translucency > 0.0 {
+        lit = key_visibility(surface.world + normal * select(-lift, lift, n_key > 0.0));
+    }
 
     let through = surface.translucency * max(-n_key, 0.0);
     // A lamp beside the eye that reaches a little around the edge.
     let fill_lamp = normalize(view + vec3f(0.0, 0.35, 0.0));
     let fill = max(dot(normal, fill_lamp) + 0.3, 0.0) / 1.3;
-    let ambient = mix(SOIL, SKY, 0.5 + 0.5 * normal.y) * surface.openness;
+    let soil = mix(SOIL, DARK_SOIL, scene.tissue.w);
+    let ambient = mix(soil, SKY, 0.5 + 0.5 * normal.y) * surface.openness;
     let diffuse = surface.colour * (KEY * lit * max(n_key, 0.0) + ambient + FILL * fill * surface.openness)
         + surface.colour * sqrt(surface.colour) * KEY * lit * through;
 
-    let roughness = mix(0.85, 0.20, surface.gloss);
+    let roughness = mix(0.78, 0.14, surface.gloss);
     let mirrored = reflect(-view, normal);
     // The studio as the surface mirrors it: sky over soil, and a wide soft box around the key lamp.
     let horizon = smoothstep(-0.3 - 0.5 * roughness, 0.3 + 0.5 * roughness, mirrored.y);
-    let box_edge = 0.30 * roughness;
-    let soft_box = smoothstep(0.80 - box_edge, 0.86 + box_edge, dot(mirrored, key));
-    let studio = mix(SOIL, SKY, horizon) + KEY * (0.7 * soft_box * lit);
-    let grazing = 0.04 + (max(1.0 - roughness, 0.04) - 0.04) * pow(1.0 - max(dot(normal, view), 0.0), 5.0);
-    let mirror = studio * grazing * surface.openness * mix(0.3, 1.0, surface.gloss);
+    let box_edge = 0.25 * roughness;
+    let soft_box = smoothstep(0.89 - box_edge, 0.93 + box_edge, dot(mirrored, key));
+    let studio = mix(soil, SKY, horizon) + KEY * (0.6 * soft_box * lit);
+    let grazing = fresnel(max(dot(normal, view), 0.0), max(1.0 - roughness, 0.04));
+    let mirror = studio * grazing * surface.openness * mix(0.3, 0.9, surface.gloss);
     let lamp = KEY * (glint(normal, view, key, roughness) * lit);
     return diffuse + mirror + lamp;
 }
