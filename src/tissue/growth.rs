@@ -2,7 +2,8 @@
 
 use super::chance::{Purpose, founder_key, pick, uniform};
 use super::divide::Clocks;
-use super::relax::{Crowd, Forces};
+use super::near::Forces;
+use super::relax::Crowd;
 use super::{CellType, Day, Diary, Lineage, Recipe, RecipeError};
 use crate::surface::{Charts, Control, Images, Mesh, Place};
 use std::sync::Arc;

@@ -6,7 +6,9 @@ mod chance;
 mod diary;
 mod divide;
 mod expectation;
+mod grid;
 mod growth;
+mod near;
 mod recipe;
 mod relax;
 
