@@ -128,8 +128,13 @@ impl Stage {
     /// Brings the screen into agreement with the page. True if the page's picture stands there now
     /// (or would, where nothing can be drawn); an error if the device is of no use any more.
     pub fn bring(&mut self, page: &Page, dark: bool) -> Result<bool, DrawError> {
+        let brought = self.draw(page, dark);
+        self.show_poster(page.shown());
+        brought
+    }
+
+    fn draw(&mut self, page: &Page, dark: bool) -> Result<bool, DrawError> {
         let shown = page.shown();
-        self.show_poster(shown);
         let Graphics::Running(renderer) = &mut self.graphics else {
             return Ok(matches!(self.graphics, Graphics::None));
         };
