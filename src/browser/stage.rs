@@ -173,6 +173,8 @@ impl Stage {
             renderer.draw(&frame)?;
             handed.frame = Some(frame);
         }
+        // Once more: with these cells the live picture may take the poster's place.
+        self.show_poster(shown);
         Ok(true)
     }
 
