@@ -4,6 +4,9 @@
 //! the fragment's triangle. Nothing is triangulated, borders are sharp at every zoom, and a new day
 //! is one upload.
 
+// Natively only the tests of what needs no GPU are run: the renderer itself stands unused there.
+#![cfg_attr(not(target_arch = "wasm32"), allow(dead_code))]
+
 mod data_texture;
 mod geometry;
 mod occlusion;
