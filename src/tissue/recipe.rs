@@ -29,7 +29,7 @@ impl CellType {
     }
 }
 
-/// Every number of a run (MODEL 1; Thesis, Table 4.1). Arrays are indexed by `CellType`.
+/// Every number of a run (Thesis, 3.2.1 and Table 4.1). Arrays are indexed by `CellType`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Recipe {
