@@ -120,7 +120,7 @@ impl Renderer {
     }
 
     /// Shows a body, bare until its sites come: `set_sites` of the body before counts no more.
-    /// Takes about 30 ms of the processor for 16,000 triangles.
+    /// Takes tens of milliseconds of the processor for 16,000 triangles: once for each plant.
     pub fn set_body(&mut self, body: &Body, look: &Look) {
         let materials = materials(body);
         let number = |name: &str| materials.iter().position(|m| *m == name).unwrap_or(0) as u32;

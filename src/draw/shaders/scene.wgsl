@@ -123,8 +123,8 @@ fn shade(surface: Surface) -> vec3f {
     let view = normalize(scene.eye.xyz - surface.world);
     let key = scene.key.xyz;
     let n_key = dot(normal, key);
-    // The point is lifted off its own shadow to the side on which the light falls: one texel and a
-    // half where light grazes the surface, less where it falls straight on.
+    // The point is lifted off its own shadow to the side on which the light falls: one texel
+    // where it falls straight on, three where it grazes the surface.
     let lift = scene.key.w * (1.0 + 2.0 * (1.0 - abs(n_key)));
     var lit = 0.0;
     if n_key > 0.0 || surface.translucency > 0.0 {
