@@ -8,7 +8,7 @@
 mod meshes;
 
 use clonal_mosaic::mosaic::SiteLists;
-use clonal_mosaic::surface::{Charts, Images, Mesh};
+use clonal_mosaic::surface::{Charts, Mesh};
 use clonal_mosaic::tissue::{Growth, Progress, Recipe};
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -99,7 +99,7 @@ fn site_lists(c: &mut Criterion) {
             Recipe { initial_relaxations: 20, relaxations_per_day: 5, ..still(cells, 1.0) };
         let mut growth = settled(&mesh, recipe);
         while growth.step() == Progress::Event {}
-        let mut charts = Charts::new(&mesh, Images::Visible);
+        let mut charts = Charts::new(&mesh);
         let mut lists = SiteLists::default();
         group.throughput(Throughput::Elements(cells.into()));
         group.bench_function(BenchmarkId::from_parameter(cells), |b| {

@@ -7,7 +7,7 @@ use crate::mosaic::SiteLists;
 use crate::plants::{self, Look};
 use crate::play::camera::Sphere;
 use crate::play::page::{Page, Shown};
-use crate::surface::{Body, Charts, Images};
+use crate::surface::{Body, Charts};
 use wasm_bindgen::prelude::*;
 use web_sys::{HtmlCanvasElement, HtmlElement, HtmlImageElement, ResizeObserver};
 
@@ -202,7 +202,7 @@ impl OnStage {
     fn of(plant: &plants::Plant) -> OnStage {
         let body = (plant.body)();
         let sphere = Sphere::around(&body);
-        let charts = Charts::new(&body.surface, Images::Visible);
+        let charts = Charts::new(&body.surface);
         OnStage { body, sphere, charts }
     }
 }

@@ -56,7 +56,7 @@ const FIRST_REACH: f32 = 1.8;
 
 impl SiteLists {
     /// Builds the lists of a day, exact for every moment between the day before and this one.
-    /// `charts` are those of `Images::Visible` for the mesh and serve all its days.
+    /// `charts` serve all days of a mesh.
     pub fn build(&mut self, mesh: &Mesh, charts: &mut Charts, diary: &Diary, day: usize) {
         let spacing = (mesh.area / diary.days[day].places.len() as f32).sqrt();
         self.cells.gather(mesh, charts, diary, day, spacing);

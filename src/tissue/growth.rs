@@ -2,10 +2,10 @@
 
 use super::chance::{Purpose, founder_key, pick, uniform};
 use super::divide::Clocks;
-use super::near::Forces;
+use super::forces::Forces;
 use super::relax::Crowd;
 use super::{CellType, Day, Diary, Lineage, Recipe, RecipeError};
-use crate::surface::{Charts, Control, Images, Mesh, Place};
+use crate::surface::{Control, Mesh, Place};
 use std::sync::Arc;
 
 /// A run under way: it can be taken one relaxation event at a time, so that whoever drives it
@@ -14,7 +14,6 @@ pub struct Growth {
     pub diary: Diary,
     mesh: Arc<Mesh>,
     recipe: Recipe,
-    charts: Charts,
     crowd: Crowd,
     clocks: Clocks,
     /// The cells' places at the beginning of the day under way.
@@ -52,7 +51,6 @@ impl Growth {
         let clocks = Clocks::new(&recipe, seed, &lineage);
         let mut growth = Growth {
             diary: Diary { lineage, days: Vec::new() },
-            charts: Charts::new(&mesh, Images::Nearest),
             crowd: Crowd::default(),
             radius: repulsive_radius(&recipe, mesh.area, places.len()),
             mesh,
@@ -87,7 +85,7 @@ impl Growth {
         };
         if self.events < events {
             let forces = self.forces(day);
-            self.crowd.relax(&self.mesh, &mut self.charts, &forces);
+            self.crowd.relax(&self.mesh, &forces);
             self.events += 1;
             if self.events < events {
                 return Progress::Event;
@@ -138,7 +136,7 @@ impl Growth {
     /// Hands the cells of `places` to the crowd.
     fn settle(&mut self) {
         let kinds = self.diary.lineage.iter().map(|cell| cell.kind as u8);
-        self.crowd.gather(&self.mesh, self.places.iter().copied().zip(kinds));
+        self.crowd.gather(&self.mesh, self.places.iter().copied().zip(kinds), self.radius);
     }
 
     /// Writes the day down and renews the repulsive radius.

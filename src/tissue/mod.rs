@@ -6,9 +6,11 @@ mod chance;
 mod diary;
 mod divide;
 mod expectation;
-mod grid;
+mod forces;
 mod growth;
+mod lanes;
 mod near;
+mod plan;
 mod recipe;
 mod relax;
 

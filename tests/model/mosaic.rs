@@ -2,7 +2,7 @@
 
 use crate::meshes::{blade, cube, flat, icosphere, shaken, sheet};
 use clonal_mosaic::mosaic::{Head, Site, SiteLists, polygons};
-use clonal_mosaic::surface::{Charts, Images, Mesh};
+use clonal_mosaic::surface::{Charts, Mesh};
 use clonal_mosaic::tissue::{Diary, Growth, Progress, Recipe};
 use glam::Vec2;
 use std::sync::Arc;
@@ -40,7 +40,7 @@ fn nearest_two(sites: &[Site], head: &Head, point: Vec2, moment: f32) -> [(f32, 
 
 /// Compares the lists of a day with the polygons of that day's cells at the centre of every piece.
 fn lists_agree_with_polygons(mesh: &Mesh, diary: &Diary, day: usize) {
-    let mut charts = Charts::new(mesh, Images::Visible);
+    let mut charts = Charts::new(mesh);
     let mut lists = SiteLists::default();
     lists.build(mesh, &mut charts, diary, day);
     let places = &diary.days[day].places;
@@ -91,7 +91,7 @@ fn sheets_edges_and_blades_show_their_voronoi_polygons() {
 fn lists_are_complete_at_every_moment_between_two_days() {
     let mesh = sheet(16, 10.0, flat);
     let diary = grown(&mesh, 900, 3);
-    let mut charts = Charts::new(&mesh, Images::Visible);
+    let mut charts = Charts::new(&mesh);
     let mut lists = SiteLists::default();
     lists.build(&mesh, &mut charts, &diary, 3);
     let ends: Vec<_> = (0..diary.days[3].places.len())
