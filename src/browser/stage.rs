@@ -3,11 +3,10 @@
 use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
 use crate::draw::{DrawError, Frame, Renderer};
-use crate::mosaic::SiteLists;
 use crate::plants::{self, Look};
 use crate::play::camera::Sphere;
 use crate::play::page::{Page, Shown};
-use crate::surface::{Body, Charts};
+use crate::surface::Body;
 use wasm_bindgen::prelude::*;
 use web_sys::{HtmlCanvasElement, HtmlElement, HtmlImageElement, ResizeObserver};
 
@@ -21,7 +20,6 @@ pub struct Stage {
     graphics: Graphics,
     /// The body on the stage, and the key of its plant.
     body: Option<(&'static str, OnStage)>,
-    lists: SiteLists,
     /// What the renderer has been handed.
     handed: Handed,
     size_px: (u32, u32),
@@ -41,7 +39,6 @@ enum Graphics {
 struct OnStage {
     body: Body,
     sphere: Sphere,
-    charts: Charts,
 }
 
 #[derive(Default)]
@@ -68,7 +65,6 @@ impl Stage {
             poster,
             graphics: Graphics::Starting,
             body: None,
-            lists: SiteLists::default(),
             handed: Handed::default(),
             size_px: (0, 0),
             _resize: resize,
@@ -153,11 +149,11 @@ impl Stage {
         if let Some(day) = &shown.day
             && shown.generation == run.generation
             && handed.day != Some((shown.generation, day.day))
+            && let Some(lists) = run.lists(day.day)
         {
-            let surface = &on_stage.body.surface;
-            self.lists.build(surface, &mut on_stage.charts, &run.diary, day.day as usize);
-            let mean_spacing_cm = (surface.area / day.facts.count.cells.max(1) as f32).sqrt();
-            renderer.set_sites(&self.lists, mean_spacing_cm)?;
+            let area = on_stage.body.surface.area;
+            let mean_spacing_cm = (area / day.facts.count.cells.max(1) as f32).sqrt();
+            renderer.set_sites(lists, mean_spacing_cm)?;
             handed.day = Some((shown.generation, day.day));
             handed.frame = None;
         }
@@ -202,7 +198,6 @@ impl OnStage {
     fn of(plant: &plants::Plant) -> OnStage {
         let body = (plant.body)();
         let sphere = Sphere::around(&body);
-        let charts = Charts::new(&body.surface);
-        OnStage { body, sphere, charts }
+        OnStage { body, sphere }
     }
 }

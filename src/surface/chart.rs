@@ -10,7 +10,7 @@ use wide::f32x4;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Image {
     pub triangle: u32,
-    /// Least distance to the home triangle, in centimetres.
+    /// In a chart: the image is no nearer to the home triangle than this, in centimetres.
     pub distance: f32,
     /// Corner 0 in the home frame, and the edges from it to corners 1 and 2.
     pub origin: Vec2,
@@ -134,7 +134,7 @@ struct Builder {
 impl Builder {
     fn build(&mut self, mesh: &Mesh, home: u32, radius: f32, images: &mut Vec<Image>) {
         let corners = mesh.frames[home as usize].corners();
-        let target = Target::new(corners);
+        let disc = Disc::around(corners);
         self.portals.clear();
         self.waiting.clear();
         self.chart += 1;
@@ -170,9 +170,8 @@ impl Builder {
             self.seen[triangle as usize] = seen;
             // Who comes straight from home comes through the portal: nothing of the image is nearer.
             images.push(image(triangle, f32::from_bits(distance), unfolded));
-            let apex_squared = target.squared_distance(unfolded[entered]);
             for k in [(entered + 1) % 3, (entered + 2) % 3] {
-                let farther = target.segment_distance(&unfolded, k, entered, apex_squared);
+                let farther = disc.distance(unfolded[(k + 1) % 3], unfolded[(k + 2) % 3]);
                 let farther = farther.max(f32::from_bits(distance));
                 if farther <= radius {
                     let half_edge = 3 * triangle + k as u32;
@@ -262,52 +261,24 @@ fn same_image(image: &Image, unfolded: &[Vec2; 3], frame: &super::mesh::Frame) -
         && (image.origin + image.edge2).distance(unfolded[2]) < near
 }
 
-/// A chart's home, as the triangle to which distances are taken.
-struct Target {
-    corners: [Vec2; 3],
-    /// For each corner the edge to the next one, and the same divided by its squared length.
-    edges: [Vec2; 3],
-    per_length: [Vec2; 3],
+/// The disc around a chart's home, from which distances are taken: never more than from the triangle
+/// itself, and found in a third of the time.
+struct Disc {
+    centre: Vec2,
+    radius: f32,
 }
 
-impl Target {
-    fn new(corners: [Vec2; 3]) -> Target {
-        let edges = [0, 1, 2].map(|k| corners[(k + 1) % 3] - corners[k]);
-        Target { corners, edges, per_length: edges.map(|e| e / e.length_squared()) }
+impl Disc {
+    fn around(corners: [Vec2; 3]) -> Disc {
+        let centre = (corners[0] + corners[1] + corners[2]) / 3.0;
+        let radius = corners.iter().map(|c| c.distance(centre)).fold(0.0, f32::max);
+        Disc { centre, radius }
     }
 
-    /// Squared distance of a point outside the triangle.
-    fn squared_distance(&self, p: Vec2) -> f32 {
-        (0..3)
-            .map(|k| {
-                let from_corner = p - self.corners[k];
-                let along = from_corner.dot(self.per_length[k]).clamp(0.0, 1.0);
-                (from_corner - self.edges[k] * along).length_squared()
-            })
-            .fold(f32::INFINITY, f32::min)
-    }
-
-    /// Distance of the edge of an unfolded triangle opposite its corner `k`, one end of which is
-    /// `apex`, at a known distance.
-    fn segment_distance(
-        &self,
-        unfolded: &[Vec2; 3],
-        k: usize,
-        apex: usize,
-        apex_squared: f32,
-    ) -> f32 {
-        let (from, to) = (unfolded[(k + 1) % 3], unfolded[(k + 2) % 3]);
-        let other = if (k + 1) % 3 == apex { to } else { from };
-        let edge = to - from;
-        let per_length = edge / edge.length_squared();
-        let nearest_corner = self
-            .corners
-            .iter()
-            .map(|&corner| {
-                let along = (corner - from).dot(per_length).clamp(0.0, 1.0);
-                (corner - from - edge * along).length_squared()
-            })
-            .fold(f32::INFINITY, f32::min);
-        nearest_corner.min(apex_squared).min(self.squared_distance(other)).sqrt()
+    /// Distance of a line segment.
+    fn distance(&self, from: Vec2, to: Vec2) -> f32 {
+        let (edge, arm) = (to - from, self.centre - from);
+        let along = (arm.dot(edge) / edge.length_squared()).clamp(0.0, 1.0);
+        ((arm - edge * along).length() - self.radius).max(0.0)
     }
 }
