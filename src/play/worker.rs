@@ -5,12 +5,14 @@ use super::link;
 use super::protocol::{BUILD, DayNews, ToPage, ToWorker};
 use crate::plants::Plant;
 use crate::surface::Mesh;
-use crate::tissue::{Growth, Progress, RecipeError};
+use crate::tissue::{Growth, Progress};
 use std::sync::Arc;
 
 /// Grows one plant at a time.
 pub struct Worker {
     plants: &'static [Plant],
+    /// The texts of the mesh files that came, by name.
+    meshes: Vec<(String, String)>,
     /// Surfaces by plant, made once and kept: to refine one takes longer than its first days.
     surfaces: Vec<(&'static str, Arc<Mesh>)>,
     run: Option<Run>,
@@ -23,7 +25,7 @@ struct Run {
 
 impl Worker {
     pub fn new(plants: &'static [Plant]) -> Worker {
-        Worker { plants, surfaces: Vec::new(), run: None }
+        Worker { plants, meshes: Vec::new(), surfaces: Vec::new(), run: None }
     }
 
     /// What a worker says first.
@@ -33,14 +35,20 @@ impl Worker {
 
     /// Takes a wish; what grew before stops. An answer comes at once only if it cannot be grown.
     pub fn hear(&mut self, wish: ToWorker) -> Option<ToPage> {
-        let ToWorker::Grow { generation, link } = wish;
+        let (generation, link) = match wish {
+            ToWorker::Grow { generation, link } => (generation, link),
+            ToWorker::Mesh { name, text } => {
+                self.meshes.push((name, text));
+                return None;
+            }
+        };
         self.run = None;
         match self.sow(&link) {
             Ok(growth) => {
                 self.run = Some(Run { generation, growth });
                 None
             }
-            Err(why) => Some(ToPage::Failed { generation, text: why.to_string() }),
+            Err(why) => Some(ToPage::Failed { generation, text: why }),
         }
     }
 
@@ -72,16 +80,23 @@ impl Worker {
         }
     }
 
-    fn sow(&mut self, link: &str) -> Result<Growth, RecipeError> {
+    fn sow(&mut self, link: &str) -> Result<Growth, String> {
         let scene = link::read(link, self.plants).scene;
-        let plant = scene.plant;
-        let known = self.surfaces.iter().position(|(key, _)| *key == plant.key);
-        let known = known.unwrap_or_else(|| {
-            self.surfaces.push((plant.key, Arc::new((plant.body)().surface)));
-            self.surfaces.len() - 1
-        });
-        let surface = Arc::clone(&self.surfaces[known].1);
-        Growth::new(surface, scene.recipe, &(plant.controls)(), scene.individual)
+        let surface = self.surface(scene.plant)?;
+        Growth::new(surface, scene.recipe, &(scene.plant.controls)(), scene.individual)
+            .map_err(|why| why.to_string())
+    }
+
+    fn surface(&mut self, plant: &'static Plant) -> Result<Arc<Mesh>, String> {
+        if let Some((_, surface)) = self.surfaces.iter().find(|(key, _)| *key == plant.key) {
+            return Ok(Arc::clone(surface));
+        }
+        let mesh = self.meshes.iter().find(|(name, _)| name == plant.mesh.name);
+        let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.mesh.name))?;
+        let body = (plant.body)(text).map_err(|why| format!("{}: {why}", plant.mesh.name))?;
+        let surface = Arc::new(body.surface);
+        self.surfaces.push((plant.key, Arc::clone(&surface)));
+        Ok(surface)
     }
 }
 
