@@ -163,6 +163,11 @@ impl Stage {
             handed.day = Some((shown.generation, day.day));
             handed.frame = None;
         }
+        if handed.day.is_none() {
+            // The poster stands there still; a frame of the bare body would only delay the first
+            // one with cells.
+            return Ok(true);
+        }
         let (width, height) = self.size_px;
         let frame = Frame {
             view_projection: page.camera().view_projection(&on_stage.sphere, width, height),

@@ -17,9 +17,10 @@ struct File {
 }
 
 impl Meshes {
-    /// What stands in a file, once it came.
+    /// What stands in a file, once the worker has it, too: the first cells wait for the worker, and
+    /// so a page that builds the body for itself does that while the worker is busy.
     pub fn text(&self, name: &str) -> Option<&str> {
-        self.files.iter().find(|file| file.name == name)?.text.as_deref()
+        self.files.iter().find(|file| file.name == name && file.is_handed)?.text.as_deref()
     }
 
     /// Whether a file is there. Has it loaded if it was not asked for yet, and hands it to a worker

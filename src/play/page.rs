@@ -206,7 +206,7 @@ impl Page {
         &self.shown
     }
 
-    /// The text of the mesh file of the plant, once it came.
+    /// The text of the mesh file of the plant, once the worker has it.
     pub fn mesh(&self) -> Option<&str> {
         self.meshes.text(self.scene.plant.mesh.name)
     }
