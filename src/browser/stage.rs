@@ -3,7 +3,7 @@
 use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
 use crate::draw::{DrawError, Frame, Renderer};
-use crate::plants::{self, Look};
+use crate::plants::{BodyError, Look, Plant};
 use crate::play::camera::Sphere;
 use crate::play::page::{Page, Shown};
 use crate::surface::Body;
@@ -135,10 +135,12 @@ impl Stage {
             return Ok(matches!(self.graphics, Graphics::None));
         };
         let key = page.scene().plant.key;
-        let (_, on_stage) = match self.body.take() {
-            Some(body) if body.0 == key => self.body.insert(body),
-            _ => self.body.insert((key, OnStage::of(page.scene().plant))),
-        };
+        if self.body.as_ref().is_none_or(|(of, _)| *of != key) {
+            // What is no mesh the worker tells.
+            let on_stage = page.mesh().and_then(|mesh| OnStage::of(page.scene().plant, mesh).ok());
+            self.body = on_stage.map(|on_stage| (key, on_stage));
+        }
+        let Some((_, on_stage)) = &mut self.body else { return Ok(false) };
         let handed = &mut self.handed;
         let look = &page.scene().look;
         if handed.plant != Some(key) || handed.look.as_ref() != Some(look) {
@@ -156,6 +158,11 @@ impl Stage {
             renderer.set_sites(lists, mean_spacing_cm)?;
             handed.day = Some((shown.generation, day.day));
             handed.frame = None;
+        }
+        if handed.day.is_none() {
+            // The poster stands there still; a frame of the bare body would only delay the first
+            // one with cells.
+            return Ok(true);
         }
         let (width, height) = self.size_px;
         let frame = Frame {
@@ -179,7 +186,7 @@ impl Stage {
         let live = matches!(self.graphics, Graphics::Running(_)) && self.handed.day.is_some();
         set_flag(&self.element, "data-live", live);
         if !live {
-            let address = format!("posters/{}.webp", shown.plant);
+            let address = format!("posters/{}.avif", shown.plant);
             if self.poster.get_attribute("src").as_deref() != Some(&address) {
                 set_flag(&self.poster, "data-missing", false);
                 set_attribute(&self.poster, "src", address);
@@ -195,9 +202,9 @@ impl Drop for Stage {
 }
 
 impl OnStage {
-    fn of(plant: &plants::Plant) -> OnStage {
-        let body = (plant.body)();
+    fn of(plant: &Plant, mesh: &str) -> Result<OnStage, BodyError> {
+        let body = (plant.body)(mesh)?;
         let sphere = Sphere::around(&body);
-        OnStage { body, sphere }
+        Ok(OnStage { body, sphere })
     }
 }

@@ -1,6 +1,6 @@
 //! Cactus: yellow blotches on blue-green columns (Thesis, Fig. 4.8).
 
-use super::{Look, Plant, View, scatter, spikes};
+use super::{BodyError, Look, Plant, View, scatter, spikes};
 use crate::surface::{Body, PolygonMesh};
 use crate::tissue::Recipe;
 
@@ -46,12 +46,13 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 14.0, zoom: 1.05 },
+    mesh: mesh_file!("cactus.obj"),
     body: grow_body,
     controls: Vec::new,
 };
 
-fn grow_body() -> Body {
-    let mut mesh = super::smooth(include_str!("../../meshes/cactus.obj"), |group| {
+fn grow_body(obj: &str) -> Result<Body, BodyError> {
+    let mut mesh = super::smooth(obj, |group| {
         match group.material.as_str() {
             "bare:areole" => 0,
             // About as many triangles as cells: the repulsive radius is four times the spacing, and
@@ -59,9 +60,9 @@ fn grow_body() -> Body {
             "skin" => 1,
             _ => 2,
         }
-    });
+    })?;
     raise_spines(&mut mesh);
-    super::body(&mesh)
+    Ok(Body::new(&mesh)?)
 }
 
 /// Spines of an areole: the last one stands out, the others spread around it.

@@ -1,6 +1,6 @@
 //! Croton: a shrub whose leaves turn from green to yellow in one run (Thesis, Fig. 4.3).
 
-use super::{Look, Plant, View, scatter};
+use super::{BodyError, Look, Plant, View, scatter};
 use crate::surface::{Body, Control, ControlImage, Cylinder};
 use crate::tissue::Recipe;
 use glam::Vec3;
@@ -46,17 +46,17 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 24.0, zoom: 1.0 },
+    mesh: mesh_file!("croton.obj"),
     body: grow_body,
     controls: young_leaves,
 };
 
-fn grow_body() -> Body {
-    super::body(&super::smooth(include_str!("../../meshes/croton.obj"), |group| {
-        match group.material.as_str() {
-            "bare:petiole" | "bare:soil" => 1,
-            _ => 2,
-        }
-    }))
+fn grow_body(obj: &str) -> Result<Body, BodyError> {
+    let mesh = super::smooth(obj, |group| match group.material.as_str() {
+        "bare:petiole" | "bare:soil" => 1,
+        _ => 2,
+    })?;
+    Ok(Body::new(&mesh)?)
 }
 
 /// Young leaves are greener than old ones: the higher in the shrub, the fewer first cells are left

@@ -1,5 +1,16 @@
 //! The catalogue: what each plant is made of, how its cells live, and how it looks.
 
+/// A `MeshFile` by its name.
+macro_rules! mesh_file {
+    ($name:literal) => {
+        crate::plants::MeshFile {
+            name: $name,
+            #[cfg(not(target_arch = "wasm32"))]
+            text: include_str!(concat!("../../meshes/", $name)),
+        }
+    };
+}
+
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod bodies;
 mod cactus;
@@ -8,7 +19,7 @@ mod mushroom;
 mod spikes;
 mod watermelon;
 
-use crate::surface::{Body, Control, Group, PolygonMesh};
+use crate::surface::{Body, Control, Group, ObjError, PolygonMesh, SurfaceError};
 use crate::tissue::Recipe;
 
 /// A plant of the playground.
@@ -28,8 +39,38 @@ pub struct Plant {
     pub first_day: u32,
     pub look: Look,
     pub view: View,
-    pub body: fn() -> Body,
+    pub mesh: MeshFile,
+    /// Grows the body from the text of its mesh file.
+    pub body: fn(obj: &str) -> Result<Body, BodyError>,
     pub controls: fn() -> Vec<Control>,
+}
+
+/// One of the files under `meshes/`.
+#[derive(Clone, Copy, Debug)]
+pub struct MeshFile {
+    /// `croton.obj`
+    pub name: &'static str,
+    /// What stands in it. A page loads the file of the plant that it shows instead, so that nobody
+    /// downloads them all.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub text: &'static str,
+}
+
+/// Why a text is not the mesh of a plant.
+#[derive(Debug, thiserror::Error, PartialEq)]
+pub enum BodyError {
+    #[error(transparent)]
+    Obj(#[from] ObjError),
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Plant {
+    /// The body, grown from the mesh file that this program carries.
+    pub fn embedded_body(&self) -> Body {
+        (self.body)(self.mesh.text).expect("our own meshes are sound")
+    }
 }
 
 /// Colours and materials; sRGB, 0 to 1.
@@ -70,13 +111,9 @@ pub fn find(key: &str) -> Option<&'static Plant> {
     all().iter().find(|plant| plant.key == key)
 }
 
-/// One of our own mesh files, each group refined so many times.
-fn smooth(obj: &str, levels: impl Fn(&Group) -> u32) -> PolygonMesh {
-    PolygonMesh::parse(obj).expect("our own meshes are well formed").refined_by(levels)
-}
-
-fn body(mesh: &PolygonMesh) -> Body {
-    Body::new(mesh).expect("our own meshes have a surface")
+/// The mesh of a text, each group refined so many times.
+fn smooth(obj: &str, levels: impl Fn(&Group) -> u32) -> Result<PolygonMesh, BodyError> {
+    Ok(PolygonMesh::parse(obj)?.refined_by(levels))
 }
 
 /// A number from 0 to 1 that is always the same for the same place: irregularity that belongs to
@@ -99,7 +136,7 @@ mod tests {
     use std::sync::Arc;
 
     fn surface(key: &str) -> Mesh {
-        (find(key).unwrap().body)().surface
+        find(key).unwrap().embedded_body().surface
     }
 
     #[test]
@@ -108,7 +145,7 @@ mod tests {
             assert!(std::ptr::eq(find(plant.key).unwrap(), plant));
             plant.recipe.check().unwrap();
             assert!(plant.first_day <= plant.recipe.days, "{}", plant.key);
-            let body = (plant.body)();
+            let body = plant.embedded_body();
             body.surface.check().unwrap();
             let triangles = body.surface.triangles.len();
             assert!((3_500..=16_000).contains(&triangles), "{}: {triangles}", plant.key);
@@ -123,7 +160,7 @@ mod tests {
     #[test]
     fn triangles_are_of_like_size_and_no_slivers() {
         for plant in all() {
-            let mesh = (plant.body)().surface;
+            let mesh = plant.embedded_body().surface;
             let mut areas = mesh.areas.clone();
             areas.sort_by(f32::total_cmp);
             let at = |share: f32| areas[(share * (areas.len() - 1) as f32) as usize];
@@ -143,7 +180,7 @@ mod tests {
     #[test]
     fn every_plant_stands_on_the_ground() {
         for plant in all() {
-            let body = (plant.body)();
+            let body = plant.embedded_body();
             let bare = body.ornaments.iter().flat_map(|part| &part.positions);
             let lowest = body.surface.positions.iter().chain(bare).map(|p| p.y).fold(9.0, f32::min);
             assert!((-0.15..0.1).contains(&lowest), "{}: {lowest}", plant.key);
@@ -196,7 +233,7 @@ mod tests {
     fn walks_on_our_meshes_are_never_caught() {
         for plant in all() {
             let recipe = Recipe { days: 1, ..plant.recipe.clone() };
-            let mesh = Arc::new((plant.body)().surface);
+            let mesh = Arc::new(plant.embedded_body().surface);
             let mut growth = Growth::new(mesh, recipe, &(plant.controls)(), 1).unwrap();
             while growth.step() != Progress::Done {}
             assert_eq!(growth.caught_walks(), 0, "{}", plant.key);

@@ -1,6 +1,6 @@
 //! Fly agaric: white warts on a red cap (Thesis, Fig. 4.15).
 
-use super::{Look, Plant, View, scatter, spikes};
+use super::{BodyError, Look, Plant, View, scatter, spikes};
 use crate::surface::{Body, Control, ControlImage, Cylinder, PolygonMesh};
 use crate::tissue::Recipe;
 use glam::Vec3;
@@ -50,12 +50,13 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 15.0, zoom: 1.08 },
+    mesh: mesh_file!("mushroom.obj"),
     body: grow_body,
     controls: warts,
 };
 
-fn grow_body() -> Body {
-    let mut mesh = super::smooth(include_str!("../../meshes/mushroom.obj"), |group| {
+fn grow_body(obj: &str) -> Result<Body, BodyError> {
+    let mut mesh = super::smooth(obj, |group| {
         match group.part.as_str() {
             // About as many triangles as first cells: finer, and the wide repulsive radius has far
             // more of them to unfold around each cell.
@@ -63,9 +64,9 @@ fn grow_body() -> Body {
             "lamellae" | "volva" => 1,
             _ => 2,
         }
-    });
+    })?;
     grow_moss(&mut mesh);
-    super::body(&mesh)
+    Ok(Body::new(&mesh)?)
 }
 
 /// Short shoots all over the moss cushion.

@@ -1,6 +1,6 @@
 //! Watermelon: dark jagged stripes from end to end (Thesis, Fig. 4.17).
 
-use super::{Look, Plant, View, scatter};
+use super::{BodyError, Look, Plant, View, scatter};
 use crate::surface::{Body, Control, ControlImage, Cylinder};
 use crate::tissue::Recipe;
 use glam::Vec3;
@@ -41,6 +41,7 @@ pub const PLANT: Plant = Plant {
         bare: &[("stem", [0.54, 0.478, 0.333], 0.05), ("scar", [0.5, 0.4, 0.28], 0.0)],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 16.0, zoom: 1.0 },
+    mesh: mesh_file!("watermelon.obj"),
     body: grow_body,
     controls: stripes,
 };
@@ -53,8 +54,8 @@ pub(super) const CENTRE: Vec3 = Vec3::new(0.0, 12.3, 0.0);
 
 const STRIPES: u32 = 11;
 
-fn grow_body() -> Body {
-    super::body(&super::smooth(include_str!("../../meshes/watermelon.obj"), |_| 2))
+fn grow_body(obj: &str) -> Result<Body, BodyError> {
+    Ok(Body::new(&super::smooth(obj, |_| 2)?)?)
 }
 
 /// Dark stripes on a cylinder along the fruit.

@@ -11,6 +11,8 @@ pub const BUILD: &str = env!("MOSAIC_BUILD");
 /// From the page to the worker.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ToWorker {
+    /// What stands in a mesh file: comes before the first wish that needs it.
+    Mesh { name: String, text: String },
     /// Grow the scene of a link; whatever grew before stops. Every answer carries the number.
     Grow { generation: u32, link: String },
 }
@@ -59,18 +61,29 @@ const DAY: u32 = 3;
 const FULL: u32 = 4;
 const DONE: u32 = 5;
 const FAILED: u32 = 6;
+const MESH: u32 = 7;
 
 impl ToWorker {
     pub fn to_words(&self) -> Vec<u32> {
-        let ToWorker::Grow { generation, link } = self;
-        let mut words = vec![GROW, *generation];
-        push_text(&mut words, link);
+        let mut words;
+        match self {
+            ToWorker::Mesh { name, text } => {
+                words = vec![MESH];
+                push_text(&mut words, name);
+                push_text(&mut words, text);
+            }
+            ToWorker::Grow { generation, link } => {
+                words = vec![GROW, *generation];
+                push_text(&mut words, link);
+            }
+        }
         words
     }
 
     pub fn from_words(words: &[u32]) -> Result<ToWorker, ProtocolError> {
         let mut reader = Reader(words);
         let message = match reader.word()? {
+            MESH => ToWorker::Mesh { name: reader.text()?, text: reader.text()? },
             GROW => ToWorker::Grow { generation: reader.word()?, link: reader.text()? },
             _ => return Err(ProtocolError),
         };
@@ -206,8 +219,12 @@ mod tests {
         for message in answers() {
             assert_eq!(ToPage::from_words(&message.to_words()), Ok(message));
         }
-        let wish = ToWorker::Grow { generation: 4, link: "leaf?v=1&s=2&d=3".to_string() };
-        assert_eq!(ToWorker::from_words(&wish.to_words()), Ok(wish));
+        for wish in [
+            ToWorker::Mesh { name: "leaf.obj".to_string(), text: "f 1 2 3".to_string() },
+            ToWorker::Grow { generation: 4, link: "leaf?v=1&s=2&d=3".to_string() },
+        ] {
+            assert_eq!(ToWorker::from_words(&wish.to_words()), Ok(wish));
+        }
     }
 
     #[test]

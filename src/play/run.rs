@@ -30,7 +30,7 @@ pub enum End {
     Done,
     /// At the population cap.
     Full,
-    Failed(String),
+    Failed,
 }
 
 impl Run {

@@ -7,12 +7,14 @@ use super::run::DayFacts;
 use crate::mosaic::SiteFinder;
 use crate::plants::Plant;
 use crate::surface::Mesh;
-use crate::tissue::{Growth, Progress, RecipeError};
+use crate::tissue::{Growth, Progress};
 use std::sync::Arc;
 
 /// Grows one plant at a time.
 pub struct Worker {
     plants: &'static [Plant],
+    /// The texts of the mesh files that came, by name.
+    meshes: Vec<(String, String)>,
     /// Grounds by plant, made once and kept: to refine one takes longer than its first days.
     grounds: Vec<Ground>,
     run: Option<Run>,
@@ -34,7 +36,7 @@ struct Run {
 
 impl Worker {
     pub fn new(plants: &'static [Plant]) -> Worker {
-        Worker { plants, grounds: Vec::new(), run: None }
+        Worker { plants, meshes: Vec::new(), grounds: Vec::new(), run: None }
     }
 
     /// What a worker says first.
@@ -44,14 +46,20 @@ impl Worker {
 
     /// Takes a wish; what grew before stops. An answer comes at once only if it cannot be grown.
     pub fn hear(&mut self, wish: ToWorker) -> Option<ToPage> {
-        let ToWorker::Grow { generation, link } = wish;
+        let (generation, link) = match wish {
+            ToWorker::Grow { generation, link } => (generation, link),
+            ToWorker::Mesh { name, text } => {
+                self.meshes.push((name, text));
+                return None;
+            }
+        };
         self.run = None;
         match self.sow(&link) {
             Ok((growth, ground)) => {
                 self.run = Some(Run { generation, growth, ground });
                 None
             }
-            Err(why) => Some(ToPage::Failed { generation, text: why.to_string() }),
+            Err(why) => Some(ToPage::Failed { generation, text: why }),
         }
     }
 
@@ -86,19 +94,28 @@ impl Worker {
         }
     }
 
-    fn sow(&mut self, link: &str) -> Result<(Growth, usize), RecipeError> {
+    fn sow(&mut self, link: &str) -> Result<(Growth, usize), String> {
         let scene = link::read(link, self.plants).scene;
-        let plant = scene.plant;
-        let known = self.grounds.iter().position(|ground| ground.plant == plant.key);
-        let known = known.unwrap_or_else(|| {
-            let surface = Arc::new((plant.body)().surface);
-            let finder = SiteFinder::new(&surface);
-            self.grounds.push(Ground { plant: plant.key, surface, finder });
-            self.grounds.len() - 1
-        });
-        let surface = Arc::clone(&self.grounds[known].surface);
-        let growth = Growth::new(surface, scene.recipe, &(plant.controls)(), scene.individual)?;
-        Ok((growth, known))
+        let ground = self.ground(scene.plant)?;
+        let surface = Arc::clone(&self.grounds[ground].surface);
+        let controls = (scene.plant.controls)();
+        let growth = Growth::new(surface, scene.recipe, &controls, scene.individual)
+            .map_err(|why| why.to_string())?;
+        Ok((growth, ground))
+    }
+
+    /// The index of a plant's ground.
+    fn ground(&mut self, plant: &'static Plant) -> Result<usize, String> {
+        if let Some(known) = self.grounds.iter().position(|ground| ground.plant == plant.key) {
+            return Ok(known);
+        }
+        let mesh = self.meshes.iter().find(|(name, _)| name == plant.mesh.name);
+        let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.mesh.name))?;
+        let body = (plant.body)(text).map_err(|why| format!("{}: {why}", plant.mesh.name))?;
+        let surface = Arc::new(body.surface);
+        let finder = SiteFinder::new(&surface);
+        self.grounds.push(Ground { plant: plant.key, surface, finder });
+        Ok(self.grounds.len() - 1)
     }
 }
 

@@ -80,7 +80,7 @@ struct Polygons {
 impl Polygons {
     fn grow(picture: &Picture) -> Polygons {
         let scene = link::read(LINK, plants::all()).scene;
-        let body = (scene.plant.body)();
+        let body = scene.plant.embedded_body();
         let mesh = Arc::new(body.surface.clone());
         let controls = (scene.plant.controls)();
         let mut growth =

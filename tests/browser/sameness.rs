@@ -11,7 +11,7 @@ fn native(text: &str) -> String {
     let opened = link::read(text, plants::all());
     assert!(opened.left_out.is_empty(), "{text}: {:?}", opened.left_out);
     let scene = opened.scene;
-    let mesh = Arc::new((scene.plant.body)().surface);
+    let mesh = Arc::new(scene.plant.embedded_body().surface);
     let controls = (scene.plant.controls)();
     let mut growth = Growth::new(mesh, scene.recipe, &controls, scene.individual).unwrap();
     while growth.step() != Progress::Day(scene.day) {}

@@ -40,7 +40,7 @@ pub fn load(options: &Options) -> Result<Subject, Refusal> {
     }
     recipe.days = day;
     let (mesh, controls) = match (&options.mesh, plant) {
-        (None, Some(plant)) => ((plant.body)().surface, (plant.controls)()),
+        (None, Some(plant)) => (plant.embedded_body().surface, (plant.controls)()),
         // The cylinders of a plant stand around its own body, not around the caller's.
         (Some(path), _) => (read_mesh(path)?, Vec::new()),
         (None, None) => unreachable!("a recipe without a mesh has the first plant's body"),

@@ -172,7 +172,7 @@ impl Leaf {
 
 #[test]
 fn leaves_do_not_cut_through_each_other() {
-    let mesh = (crate::plants::find("croton").unwrap().body)().surface;
+    let mesh = crate::plants::find("croton").unwrap().embedded_body().surface;
     assert_eq!(mesh.part_count(), LEAVES as usize);
     let boxes: Vec<(Vec3, Vec3)> = (0..mesh.triangles.len() as u32)
         .map(|t| {
