@@ -30,6 +30,7 @@ pub const PLANT: Plant = Plant {
         days: 25,
         // Some fifteen clones that double every few days: individuals have 8,000 to 18,000 cells.
         max_cells: 60_000,
+        ..Recipe::DEFAULT
     },
     first_day: 25,
     look: Look {
@@ -48,6 +49,7 @@ pub const PLANT: Plant = Plant {
     view: View { azimuth_deg: 0.0, elevation_deg: 14.0, zoom: 1.05 },
     body: grow_body,
     controls: Vec::new,
+    field: |_| None,
 };
 
 fn grow_body() -> Body {

@@ -8,8 +8,9 @@ mod mushroom;
 mod spikes;
 mod watermelon;
 
-use crate::surface::{Body, Control, Group, PolygonMesh};
-use crate::tissue::Recipe;
+use crate::surface::{Body, DirectionField, Group, Mesh, PolygonMesh};
+use crate::tissue::{Control, Growth, Recipe, RecipeError};
+use std::sync::Arc;
 
 /// A plant of the playground.
 #[derive(Clone, Debug)]
@@ -30,6 +31,26 @@ pub struct Plant {
     pub view: View,
     pub body: fn() -> Body,
     pub controls: fn() -> Vec<Control>,
+    /// The direction field of its surface, if it has one.
+    pub field: fn(&Mesh) -> Option<DirectionField>,
+}
+
+impl Plant {
+    /// Sows an individual on the plant's surface, under its control images and along its direction
+    /// field; the recipe may be another than the plant's own.
+    pub fn sow(
+        &self,
+        surface: Arc<Mesh>,
+        recipe: Recipe,
+        individual: u32,
+    ) -> Result<Growth, RecipeError> {
+        let field = (self.field)(&surface);
+        let growth = Growth::new(surface, recipe, &(self.controls)(), individual)?;
+        Ok(match field {
+            Some(field) => growth.along(field),
+            None => growth,
+        })
+    }
 }
 
 /// Colours and materials; sRGB, 0 to 1.
@@ -93,10 +114,8 @@ fn scatter(item: u32, purpose: u32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::{Mesh, NO_TWIN};
-    use crate::tissue::{Growth, Progress};
-    use glam::Vec3;
-    use std::sync::Arc;
+    use crate::surface::{NO_TWIN, Place, Wrap};
+    use crate::tissue::{CellType::Foreground, Progress};
 
     fn surface(key: &str) -> Mesh {
         (find(key).unwrap().body)().surface
@@ -178,13 +197,18 @@ mod tests {
             let mesh = surface(key);
             let controls = (find(key).unwrap().controls)();
             for control in &controls {
-                assert!((control.cylinder.axis.length() - 1.0).abs() < 1e-6);
-                assert!((control.cylinder.zero.length() - 1.0).abs() < 1e-6);
-                assert!(control.cylinder.axis.dot(control.cylinder.zero).abs() < 1e-6);
+                if let Wrap::Cylinder(cylinder) = control.wrap {
+                    assert!((cylinder.axis.length() - 1.0).abs() < 1e-6);
+                    assert!((cylinder.zero.length() - 1.0).abs() < 1e-6);
+                    assert!(cylinder.axis.dot(cylinder.zero).abs() < 1e-6);
+                }
             }
-            let centroid = |t: u32| mesh.corners(t).iter().sum::<Vec3>() / 3.0;
+            let allows_foreground = |triangle: u32| {
+                let centre = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
+                controls.iter().all(|c| c.first_type(&mesh, centre, Foreground) == Foreground)
+            };
             let allowed: f32 = (0..mesh.triangles.len() as u32)
-                .filter(|&t| controls.iter().all(|c| c.allows_foreground(centroid(t))))
+                .filter(|&t| allows_foreground(t))
                 .map(|t| mesh.areas[t as usize])
                 .sum();
             let share = allowed / mesh.area;
@@ -197,7 +221,7 @@ mod tests {
         for plant in all() {
             let recipe = Recipe { days: 1, ..plant.recipe.clone() };
             let mesh = Arc::new((plant.body)().surface);
-            let mut growth = Growth::new(mesh, recipe, &(plant.controls)(), 1).unwrap();
+            let mut growth = plant.sow(mesh, recipe, 1).unwrap();
             while growth.step() != Progress::Done {}
             assert_eq!(growth.caught_walks(), 0, "{}", plant.key);
         }

@@ -1,8 +1,8 @@
 //! Watermelon: dark jagged stripes from end to end (Thesis, Fig. 4.17).
 
 use super::{Look, Plant, View, scatter};
-use crate::surface::{Body, Control, ControlImage, Cylinder};
-use crate::tissue::Recipe;
+use crate::surface::{Body, ControlImage, Cylinder, Wrap};
+use crate::tissue::{Control, Recipe};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -30,6 +30,7 @@ pub const PLANT: Plant = Plant {
         days: 20,
         // Individuals have from 64,000 to 68,000 cells.
         max_cells: 100_000,
+        ..Recipe::DEFAULT
     },
     first_day: 20,
     look: Look {
@@ -43,6 +44,7 @@ pub const PLANT: Plant = Plant {
     view: View { azimuth_deg: 0.0, elevation_deg: 16.0, zoom: 1.0 },
     body: grow_body,
     controls: stripes,
+    field: |_| None,
 };
 
 /// Towards the stem end; of unit length.
@@ -65,7 +67,8 @@ fn stripes() -> Vec<Control> {
         zero: AXIS.cross(Vec3::Y).normalize(),
         height: 2.0 * HALF_LENGTH_CM,
     };
-    vec![Control { cylinder, image: ControlImage::paint(512, 256, is_stripe) }]
+    let image = ControlImage::paint(512, 256, is_stripe);
+    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
 }
 
 /// Whether a first cell at this angle, in turns, and height may be dark.

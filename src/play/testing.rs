@@ -27,6 +27,7 @@ const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
             relaxations_per_day: 2,
             days,
             max_cells: 100_000,
+            ..Recipe::DEFAULT
         },
         first_day: 3,
         look: Look {
@@ -40,6 +41,7 @@ const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
         view: View { azimuth_deg: 0.0, elevation_deg: 20.0, zoom: 1.0 },
         body: sheet,
         controls: Vec::new,
+        field: |_| None,
     }
 }
 

@@ -81,7 +81,7 @@ impl Worker {
             self.surfaces.len() - 1
         });
         let surface = Arc::clone(&self.surfaces[known].1);
-        Growth::new(surface, scene.recipe, &(plant.controls)(), scene.individual)
+        plant.sow(surface, scene.recipe, scene.individual)
     }
 }
 

@@ -3,6 +3,7 @@
 mod body;
 mod chart;
 mod cylinder;
+mod field;
 mod mesh;
 mod obj;
 mod refine;
@@ -10,7 +11,8 @@ mod walk;
 
 pub use body::{Body, Ornament, SurfaceError};
 pub use chart::{Charts, Image, Images};
-pub use cylinder::{Control, ControlImage, Cylinder};
+pub use cylinder::{ControlImage, Cylinder, Wrap};
+pub use field::{DirectionField, FieldError, Guide};
 pub use mesh::{Frame, Mesh, NO_TWIN, Place};
 pub use obj::{Face, Group, ObjError, PolygonMesh};
 pub use walk::{Step, walk};

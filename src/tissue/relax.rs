@@ -1,6 +1,7 @@
 //! Relaxation: the cells push each other away, all together (Thesis 3.2.1.1).
 
 use super::bins::Bins;
+use super::course::Course;
 use super::near::{Columns, Forces, Lanes, Near};
 use crate::surface::{Charts, Mesh, Place, walk};
 use glam::Vec2;
@@ -56,7 +57,14 @@ impl Crowd {
     }
 
     /// One event: every displacement is computed from the old places, then all cells move.
-    pub fn relax(&mut self, mesh: &Mesh, charts: &mut Charts, forces: &Forces) {
+    /// With a course, each displacement is turned along its direction field.
+    pub fn relax(
+        &mut self,
+        mesh: &Mesh,
+        charts: &mut Charts,
+        forces: &Forces,
+        course: Option<&Course>,
+    ) {
         let lanes = Lanes::new(forces);
         for triangle in 0..mesh.triangles.len() {
             let own = self.cells_of(triangle);
@@ -70,6 +78,7 @@ impl Crowd {
             for i in own {
                 let push = self.near.push(i - first, &lanes, self.columns.kind[i] as usize);
                 let step = cap(push * forces.repulsion, 0.5 * forces.radius);
+                let step = course.map_or(step, |course| course.turn(triangle, step));
                 let step = walk(mesh, self.place(triangle, i), step);
                 self.caught_walks += u64::from(step.caught);
                 self.moved[i] = step.place;
