@@ -5,6 +5,7 @@ mod bodies;
 mod cactus;
 mod croton;
 mod mushroom;
+mod philodendron;
 mod spikes;
 mod watermelon;
 
@@ -82,7 +83,8 @@ pub struct View {
 
 /// All plants in the order of the chooser.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 4] = [croton::PLANT, cactus::PLANT, watermelon::PLANT, mushroom::PLANT];
+    static ALL: [Plant; 5] =
+        [croton::PLANT, cactus::PLANT, watermelon::PLANT, mushroom::PLANT, philodendron::PLANT];
     &ALL
 }
 
@@ -109,6 +111,14 @@ fn scatter(item: u32, purpose: u32) -> f32 {
     bits ^= bits >> 16;
     // 24 bits are what an f32 between 0 and 1 holds.
     (bits >> 8) as f32 / (1 << 24) as f32
+}
+
+/// Noise from -1 to 1 along a line: straight from one random value at a whole number to the next.
+fn rough(at: f32, item: u32, purpose: u32) -> f32 {
+    let whole = libm::floorf(at);
+    let value = |k: f32| 2.0 * scatter(item + 64 * k as u32, purpose) - 1.0;
+    let t = at - whole;
+    value(whole) * (1.0 - t) + value(whole + 1.0) * t
 }
 
 #[cfg(test)]
@@ -172,7 +182,9 @@ mod tests {
     #[test]
     fn a_melon_is_closed_and_caps_and_leaves_are_open() {
         assert!(surface("watermelon").twins.iter().all(|&twin| twin != NO_TWIN));
-        for (key, parts) in [("croton", 18), ("cactus", 2), ("watermelon", 1), ("mushroom", 2)] {
+        for (key, parts) in
+            [("croton", 18), ("cactus", 2), ("watermelon", 1), ("mushroom", 2), ("philodendron", 6)]
+        {
             assert_eq!(surface(key).part_count(), parts, "{key}");
         }
         assert!(surface("mushroom").twins.contains(&NO_TWIN));
@@ -180,20 +192,24 @@ mod tests {
 
     #[test]
     fn leaves_know_their_midrib_and_rims() {
-        let mesh = surface("croton");
-        assert_eq!(mesh.uvs.len(), mesh.positions.len());
-        assert!(mesh.uvs.iter().all(|uv| uv.x.abs() <= 1.0 && (0.0..=1.0).contains(&uv.y)));
-        // On the upper side of a blade the texture is not mirrored.
-        let along = |t: usize| {
-            let [a, b, c] = mesh.triangles[t].map(|v| mesh.uvs[v as usize]);
-            (b - a).perp_dot(c - a) > 0.0
-        };
-        assert!((0..mesh.triangles.len()).all(along));
+        for key in ["croton", "philodendron"] {
+            let mesh = surface(key);
+            assert_eq!(mesh.uvs.len(), mesh.positions.len());
+            assert!(mesh.uvs.iter().all(|uv| uv.x.abs() <= 1.0 && (0.0..=1.0).contains(&uv.y)));
+            // On the upper side of a blade the texture is not mirrored.
+            let along = |t: usize| {
+                let [a, b, c] = mesh.triangles[t].map(|v| mesh.uvs[v as usize]);
+                (b - a).perp_dot(c - a) > 0.0
+            };
+            assert!((0..mesh.triangles.len()).all(along), "{key}");
+        }
     }
 
     #[test]
     fn control_images_leave_both_types_their_share() {
-        for (key, white) in [("croton", 0.7), ("watermelon", 0.36), ("mushroom", 0.9)] {
+        for (key, white) in
+            [("croton", 0.7), ("watermelon", 0.36), ("mushroom", 0.9), ("philodendron", 0.4)]
+        {
             let mesh = surface(key);
             let controls = (find(key).unwrap().controls)();
             for control in &controls {

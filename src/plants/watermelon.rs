@@ -1,6 +1,6 @@
 //! Watermelon: dark jagged stripes from end to end (Thesis, Fig. 4.17).
 
-use super::{Look, Plant, View, scatter};
+use super::{Look, Plant, View, rough};
 use crate::surface::{Body, ControlImage, Cylinder, Wrap};
 use crate::tissue::{Control, Recipe};
 use glam::Vec3;
@@ -81,12 +81,4 @@ fn is_stripe(turns: f32, height: f32) -> bool {
     let width = 0.17 + 0.03 * rough(0.0, stripe, 1) + 0.05 * rough(height * 9.0, stripe, 2 + side);
     let teeth = 0.09 * rough(height * 34.0, stripe, 4 + side);
     (from_middle - wander).abs() < width + teeth
-}
-
-/// Noise from -1 to 1 along a line: straight from one random value at a whole number to the next.
-fn rough(at: f32, item: u32, purpose: u32) -> f32 {
-    let whole = libm::floorf(at);
-    let value = |k: f32| 2.0 * scatter(item + 64 * k as u32, purpose) - 1.0;
-    let t = at - whole;
-    value(whole) * (1.0 - t) + value(whole + 1.0) * t
 }

@@ -26,6 +26,7 @@ fn the_worker_grows_the_cells_that_grow_natively() {
         "cactus?v=1&s=0&d=2",
         "watermelon?v=1&s=17&d=8",
         "mushroom?v=1&s=3&d=2",
+        "philodendron?v=1&s=5&d=9",
     ] {
         page.visit(&format!("#{link}"));
         let state = page.ready();
