@@ -2,7 +2,7 @@
 //! (Thesis, Fig. 4.10).
 
 use super::{Look, Plant, View, rough, scatter};
-use crate::surface::{Body, ControlImage, DirectionField, Guide, Mesh, Wrap};
+use crate::surface::{Body, ControlImage, DirectionField, Group, Guide, Mesh, Wrap};
 use crate::tissue::{Control, Recipe};
 use glam::{Vec2, Vec3};
 
@@ -23,21 +23,21 @@ pub const PLANT: Plant = Plant {
         // Open in the thesis. 0.09 * 2^2 = 0.36 keeps steps small.
         repulsion: 0.09,
         // Open in the thesis. Up to a half, a cell that is pushed back goes back, and clones run
-        // together in worms as without a field; a little over it none goes back and they are drawn
+        // together in rings and worms as without a field; over it none goes back and they are drawn
         // out in strokes; from 0.65 on the cells leave the midrib bare and crowd at the rim.
-        anisotropy: 0.58,
+        anisotropy: 0.6,
         // Open in the thesis. From 20 on the first cells are spread evenly.
         initial_relaxations: 20,
         // Open in the thesis. With 1 there are flecks and no strokes yet, with 6 the midrib is bare.
         relaxations_per_day: 3,
         days: 32,
-        // Individuals have about 11,000 cells.
+        // Individuals have about 12,000 cells.
         max_cells: 40_000,
         ..Recipe::DEFAULT
     },
     first_day: 30,
     look: Look {
-        cells: [[0.788, 0.851, 0.29], [0.173, 0.42, 0.208], [0.5, 0.5, 0.2]],
+        cells: [[0.76, 0.83, 0.29], [0.15, 0.385, 0.19], [0.5, 0.5, 0.2]],
         variation: 0.1,
         border: 0.15,
         gloss: 0.4,
@@ -49,20 +49,15 @@ pub const PLANT: Plant = Plant {
             ("soil", [0.2, 0.15, 0.11], 0.0),
         ],
     },
-    view: View { azimuth_deg: 0.0, elevation_deg: 12.0, zoom: 1.1 },
+    view: View { azimuth_deg: 0.0, elevation_deg: 12.0, zoom: 0.98 },
     body: grow_body,
     controls: blaze,
     field: |surface| Some(side_veins(surface)),
 };
 
 fn grow_body() -> Body {
-    super::body(&super::smooth(include_str!("../../meshes/philodendron.obj"), |group| match group
-        .material
-        .as_str()
-    {
-        "bare:soil" => 1,
-        _ => 2,
-    }))
+    let levels = |group: &Group| if group.material == "bare:soil" { 1 } else { 2 };
+    super::body(&super::smooth(include_str!("../../meshes/philodendron.obj"), levels))
 }
 
 /// How far a side vein goes along the leaf on its way from midrib to rim.
@@ -83,7 +78,7 @@ fn blaze() -> Vec<Control> {
     let image = ControlImage::paint(256, 256, |turns, along| {
         let across = (2.0 * turns - 1.0).abs();
         let from_midrib = across / (along / BROAD).min(1.0);
-        // Counted from below the notch, whose side veins end there.
+        // From the side vein at whose end the notch is, so that it is not below 0.
         let stroke = (along - LEAN * across + LEAN) * STROKES;
         let none = NONE + UNEVEN * rough(stroke, 0, u32::from(turns < 0.5));
         let grain = scatter((turns * 256.0) as u32 + 256 * (along * 256.0) as u32, 2);
@@ -97,8 +92,8 @@ fn side_veins(surface: &Mesh) -> DirectionField {
     /// Leaf coordinates of the control vectors, across on either side and along.
     const ACROSS: [f32; 4] = [-0.8, -0.35, 0.35, 0.8];
     const ALONG: [f32; 5] = [0.12, 0.3, 0.5, 0.7, 0.88];
-    /// The control vectors are about 2 cm apart. At 4 per cm each would rule over a spot of its own;
-    /// at 0.04 one can hardly be told from the next and those of the two halves wipe each other out.
+    /// The control vectors are about 2 cm apart. At 0.2 per cm those of one half of a leaf turn the
+    /// field of the other around beside the midrib; at 4 nothing looks better.
     const EPSILON_PER_CM: f64 = 0.4;
     let mut guides = Vec::new();
     for part in 0..surface.part_count() as u32 {
@@ -137,7 +132,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_field_leads_from_the_midrib_to_the_rim_and_towards_the_tip() {
+    fn the_field_leads_from_the_midrib_to_the_rim() {
         let surface = grow_body().surface;
         let field = side_veins(&surface);
         for t in 0..surface.triangles.len() as u32 {
