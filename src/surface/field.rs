@@ -3,7 +3,6 @@
 
 use super::Mesh;
 use glam::{DVec3, Vec2, Vec3};
-use std::collections::BTreeMap;
 
 /// A control vector on a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,24 +54,21 @@ impl DirectionField {
             return Err(FieldError::Epsilon(epsilon_per_cm));
         }
         let count = mesh.triangles.len();
-        let mut of_part: BTreeMap<u32, Vec<Guide>> = BTreeMap::new();
-        for guide in guides {
-            let triangle = guide.triangle;
-            let part = mesh.parts.get(triangle as usize);
-            let part = part.ok_or(FieldError::NoSuchTriangle { triangle, count })?;
-            of_part.entry(*part).or_default().push(*guide);
+        if let Some(&Guide { triangle, .. }) = guides.iter().find(|g| g.triangle as usize >= count)
+        {
+            return Err(FieldError::NoSuchTriangle { triangle, count });
         }
-        let leads = of_part
-            .into_iter()
-            .map(|(part, guides)| Ok((part, Lead::new(mesh, &guides, epsilon_per_cm)?)))
-            .collect::<Result<BTreeMap<u32, Lead>, FieldError>>()?;
-        let directions = (0..count as u32)
-            .map(|triangle| {
-                let lead = leads.get(&mesh.parts[triangle as usize])?;
-                in_plane(mesh, triangle, lead.at(mesh.centroid(triangle).as_dvec3()))
-            })
-            .map(Option::unwrap_or_default)
-            .collect();
+        let mut leads = Vec::new();
+        for part in 0..mesh.part_count() as u32 {
+            let on_part = |guide: &&Guide| mesh.parts[guide.triangle as usize] == part;
+            let guides: Vec<Guide> = guides.iter().filter(on_part).copied().collect();
+            leads.push(Lead::new(mesh, &guides, epsilon_per_cm)?);
+        }
+        let direction = |triangle: u32| {
+            let lead = &leads[mesh.parts[triangle as usize] as usize];
+            in_plane(mesh, triangle, lead.at(mesh.centroid(triangle).as_dvec3()))
+        };
+        let directions = (0..count as u32).map(|t| direction(t).unwrap_or(Vec2::ZERO)).collect();
         Ok(DirectionField { directions })
     }
 
@@ -83,7 +79,7 @@ impl DirectionField {
     }
 }
 
-/// The vector field in space that the control vectors of one part span.
+/// The vector field in space that the control vectors of one part span; zero without any.
 struct Lead {
     epsilon_per_cm: f64,
     centres: Vec<DVec3>,
@@ -94,17 +90,17 @@ impl Lead {
     fn new(mesh: &Mesh, guides: &[Guide], epsilon_per_cm: f64) -> Result<Lead, FieldError> {
         let centres: Vec<DVec3> =
             guides.iter().map(|g| mesh.centroid(g.triangle).as_dvec3()).collect();
-        let controls = guides.iter().map(|guide| {
+        let mut controls = Vec::new();
+        for guide in guides {
             let direction = guide.direction.as_dvec3().normalize_or_zero();
             let flat = in_plane(mesh, guide.triangle, direction);
             let flat = flat.ok_or(FieldError::Upright(guide.triangle))?;
             let [x, y] = mesh.axes(guide.triangle);
-            Ok((x * flat.x + y * flat.y).as_dvec3())
-        });
-        let mut lead =
-            Lead { epsilon_per_cm, weights: controls.collect::<Result<_, _>>()?, centres };
+            controls.push((x * flat.x + y * flat.y).as_dvec3());
+        }
+        let mut lead = Lead { epsilon_per_cm, centres, weights: Vec::new() };
         let matrix = |i: usize, j: usize| lead.basis(lead.centres[i], lead.centres[j]);
-        let solved = solve(lead.centres.len(), matrix, lead.weights.clone());
+        let solved = solve(matrix, controls);
         lead.weights = solved.map_err(|row| FieldError::Crowded(guides[row].triangle))?;
         Ok(lead)
     }
@@ -129,11 +125,8 @@ fn in_plane(mesh: &Mesh, triangle: u32, vector: DVec3) -> Option<Vec2> {
 /// Solves `A x = b` by Cholesky's method for a symmetric matrix, given by its entries, that is
 /// positive definite, as that of an inverse multiquadric at different points is (Micchelli 1986).
 /// The error is the first row that says hardly more than the rows before it.
-fn solve(
-    n: usize,
-    entry: impl Fn(usize, usize) -> f64,
-    mut b: Vec<DVec3>,
-) -> Result<Vec<DVec3>, usize> {
+fn solve(entry: impl Fn(usize, usize) -> f64, mut b: Vec<DVec3>) -> Result<Vec<DVec3>, usize> {
+    let n = b.len();
     let mut lower = vec![vec![0.0; n]; n];
     for i in 0..n {
         for j in 0..=i {
