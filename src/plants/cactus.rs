@@ -30,6 +30,7 @@ pub const PLANT: Plant = Plant {
         days: 25,
         // Some fifteen clones that double every few days: individuals have 8,000 to 18,000 cells.
         max_cells: 60_000,
+        ..Recipe::DEFAULT
     },
     first_day: 25,
     look: Look {
@@ -49,6 +50,7 @@ pub const PLANT: Plant = Plant {
     mesh: mesh_file!("cactus.obj"),
     body: grow_body,
     controls: Vec::new,
+    field: |_| None,
 };
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {

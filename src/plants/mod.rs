@@ -16,11 +16,13 @@ mod bodies;
 mod cactus;
 mod croton;
 mod mushroom;
+mod philodendron;
 mod spikes;
 mod watermelon;
 
-use crate::surface::{Body, Control, Group, ObjError, PolygonMesh, SurfaceError};
-use crate::tissue::Recipe;
+use crate::surface::{Body, DirectionField, Group, Mesh, ObjError, PolygonMesh, SurfaceError};
+use crate::tissue::{Control, Growth, Recipe, RecipeError};
+use std::sync::Arc;
 
 /// A plant of the playground.
 #[derive(Clone, Debug)]
@@ -43,6 +45,26 @@ pub struct Plant {
     /// Grows the body from the text of its mesh file.
     pub body: fn(obj: &str) -> Result<Body, BodyError>,
     pub controls: fn() -> Vec<Control>,
+    /// The direction field of its surface, if it has one.
+    pub field: fn(&Mesh) -> Option<DirectionField>,
+}
+
+impl Plant {
+    /// Sows an individual on the plant's surface, under its control images and along its direction
+    /// field; the recipe may be another than the plant's own.
+    pub fn sow(
+        &self,
+        surface: Arc<Mesh>,
+        recipe: Recipe,
+        individual: u32,
+    ) -> Result<Growth, RecipeError> {
+        let field = (self.field)(&surface);
+        let growth = Growth::new(surface, recipe, &(self.controls)(), individual)?;
+        Ok(match field {
+            Some(field) => growth.along(field),
+            None => growth,
+        })
+    }
 }
 
 /// One of the files under `meshes/`.
@@ -102,7 +124,8 @@ pub struct View {
 
 /// All plants in the order of the chooser.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 4] = [croton::PLANT, cactus::PLANT, watermelon::PLANT, mushroom::PLANT];
+    static ALL: [Plant; 5] =
+        [croton::PLANT, cactus::PLANT, watermelon::PLANT, mushroom::PLANT, philodendron::PLANT];
     &ALL
 }
 
@@ -127,13 +150,19 @@ fn scatter(item: u32, purpose: u32) -> f32 {
     (bits >> 8) as f32 / (1 << 24) as f32
 }
 
+/// Noise from -1 to 1 along a line: straight from one random value at a whole number to the next.
+fn rough(at: f32, item: u32, purpose: u32) -> f32 {
+    let whole = libm::floorf(at);
+    let value = |k: f32| 2.0 * scatter(item + 64 * k as u32, purpose) - 1.0;
+    let t = at - whole;
+    value(whole) * (1.0 - t) + value(whole + 1.0) * t
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::{Mesh, NO_TWIN};
-    use crate::tissue::{Growth, Progress};
-    use glam::Vec3;
-    use std::sync::Arc;
+    use crate::surface::{NO_TWIN, Place, Wrap};
+    use crate::tissue::{CellType::Foreground, Progress};
 
     fn surface(key: &str) -> Mesh {
         find(key).unwrap().embedded_body().surface
@@ -190,7 +219,9 @@ mod tests {
     #[test]
     fn a_melon_is_closed_and_caps_and_leaves_are_open() {
         assert!(surface("watermelon").twins.iter().all(|&twin| twin != NO_TWIN));
-        for (key, parts) in [("croton", 18), ("cactus", 2), ("watermelon", 1), ("mushroom", 2)] {
+        for (key, parts) in
+            [("croton", 18), ("cactus", 2), ("watermelon", 1), ("mushroom", 2), ("philodendron", 6)]
+        {
             assert_eq!(surface(key).part_count(), parts, "{key}");
         }
         assert!(surface("mushroom").twins.contains(&NO_TWIN));
@@ -198,30 +229,39 @@ mod tests {
 
     #[test]
     fn leaves_know_their_midrib_and_rims() {
-        let mesh = surface("croton");
-        assert_eq!(mesh.uvs.len(), mesh.positions.len());
-        assert!(mesh.uvs.iter().all(|uv| uv.x.abs() <= 1.0 && (0.0..=1.0).contains(&uv.y)));
-        // On the upper side of a blade the texture is not mirrored.
-        let along = |t: usize| {
-            let [a, b, c] = mesh.triangles[t].map(|v| mesh.uvs[v as usize]);
-            (b - a).perp_dot(c - a) > 0.0
-        };
-        assert!((0..mesh.triangles.len()).all(along));
+        for key in ["croton", "philodendron"] {
+            let mesh = surface(key);
+            assert_eq!(mesh.uvs.len(), mesh.positions.len());
+            assert!(mesh.uvs.iter().all(|uv| uv.x.abs() <= 1.0 && (0.0..=1.0).contains(&uv.y)));
+            // On the upper side of a blade the texture is not mirrored.
+            let along = |t: usize| {
+                let [a, b, c] = mesh.triangles[t].map(|v| mesh.uvs[v as usize]);
+                (b - a).perp_dot(c - a) > 0.0
+            };
+            assert!((0..mesh.triangles.len()).all(along), "{key}");
+        }
     }
 
     #[test]
     fn control_images_leave_both_types_their_share() {
-        for (key, white) in [("croton", 0.7), ("watermelon", 0.36), ("mushroom", 0.9)] {
+        for (key, white) in
+            [("croton", 0.7), ("watermelon", 0.36), ("mushroom", 0.9), ("philodendron", 0.4)]
+        {
             let mesh = surface(key);
             let controls = (find(key).unwrap().controls)();
             for control in &controls {
-                assert!((control.cylinder.axis.length() - 1.0).abs() < 1e-6);
-                assert!((control.cylinder.zero.length() - 1.0).abs() < 1e-6);
-                assert!(control.cylinder.axis.dot(control.cylinder.zero).abs() < 1e-6);
+                if let Wrap::Cylinder(cylinder) = control.wrap {
+                    assert!((cylinder.axis.length() - 1.0).abs() < 1e-6);
+                    assert!((cylinder.zero.length() - 1.0).abs() < 1e-6);
+                    assert!(cylinder.axis.dot(cylinder.zero).abs() < 1e-6);
+                }
             }
-            let centroid = |t: u32| mesh.corners(t).iter().sum::<Vec3>() / 3.0;
+            let allows_foreground = |triangle: u32| {
+                let centre = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
+                controls.iter().all(|c| c.first_type(&mesh, centre, Foreground) == Foreground)
+            };
             let allowed: f32 = (0..mesh.triangles.len() as u32)
-                .filter(|&t| controls.iter().all(|c| c.allows_foreground(centroid(t))))
+                .filter(|&t| allows_foreground(t))
                 .map(|t| mesh.areas[t as usize])
                 .sum();
             let share = allowed / mesh.area;
@@ -234,7 +274,7 @@ mod tests {
         for plant in all() {
             let recipe = Recipe { days: 1, ..plant.recipe.clone() };
             let mesh = Arc::new(plant.embedded_body().surface);
-            let mut growth = Growth::new(mesh, recipe, &(plant.controls)(), 1).unwrap();
+            let mut growth = plant.sow(mesh, recipe, 1).unwrap();
             while growth.step() != Progress::Done {}
             assert_eq!(growth.caught_walks(), 0, "{}", plant.key);
         }

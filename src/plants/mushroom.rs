@@ -1,8 +1,8 @@
 //! Fly agaric: white warts on a red cap (Thesis, Fig. 4.15).
 
 use super::{BodyError, Look, Plant, View, scatter, spikes};
-use crate::surface::{Body, Control, ControlImage, Cylinder, PolygonMesh};
-use crate::tissue::Recipe;
+use crate::surface::{Body, ControlImage, Cylinder, PolygonMesh, Wrap};
+use crate::tissue::{Control, Recipe};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -32,6 +32,7 @@ pub const PLANT: Plant = Plant {
         days: 20,
         // Individuals have from 26,000 to 27,000 cells.
         max_cells: 60_000,
+        ..Recipe::DEFAULT
     },
     first_day: 20,
     look: Look {
@@ -53,6 +54,7 @@ pub const PLANT: Plant = Plant {
     mesh: mesh_file!("mushroom.obj"),
     body: grow_body,
     controls: warts,
+    field: |_| None,
 };
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
@@ -95,5 +97,5 @@ fn warts() -> Vec<Control> {
         let grain = scatter((turns * 256.0) as u32 + 256 * (height * 128.0) as u32, 0);
         grain > WHITE_AT_THE_TOP * height
     });
-    vec![Control { cylinder, image }]
+    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
 }

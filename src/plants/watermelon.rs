@@ -1,8 +1,8 @@
 //! Watermelon: dark jagged stripes from end to end (Thesis, Fig. 4.17).
 
-use super::{BodyError, Look, Plant, View, scatter};
-use crate::surface::{Body, Control, ControlImage, Cylinder};
-use crate::tissue::Recipe;
+use super::{BodyError, Look, Plant, View, rough};
+use crate::surface::{Body, ControlImage, Cylinder, Wrap};
+use crate::tissue::{Control, Recipe};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -30,6 +30,7 @@ pub const PLANT: Plant = Plant {
         days: 20,
         // Individuals have from 64,000 to 68,000 cells.
         max_cells: 100_000,
+        ..Recipe::DEFAULT
     },
     first_day: 20,
     look: Look {
@@ -44,6 +45,7 @@ pub const PLANT: Plant = Plant {
     mesh: mesh_file!("watermelon.obj"),
     body: grow_body,
     controls: stripes,
+    field: |_| None,
 };
 
 /// Towards the stem end; of unit length.
@@ -66,7 +68,8 @@ fn stripes() -> Vec<Control> {
         zero: AXIS.cross(Vec3::Y).normalize(),
         height: 2.0 * HALF_LENGTH_CM,
     };
-    vec![Control { cylinder, image: ControlImage::paint(512, 256, is_stripe) }]
+    let image = ControlImage::paint(512, 256, is_stripe);
+    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
 }
 
 /// Whether a first cell at this angle, in turns, and height may be dark.
@@ -79,12 +82,4 @@ fn is_stripe(turns: f32, height: f32) -> bool {
     let width = 0.17 + 0.03 * rough(0.0, stripe, 1) + 0.05 * rough(height * 9.0, stripe, 2 + side);
     let teeth = 0.09 * rough(height * 34.0, stripe, 4 + side);
     (from_middle - wander).abs() < width + teeth
-}
-
-/// Noise from -1 to 1 along a line: straight from one random value at a whole number to the next.
-fn rough(at: f32, item: u32, purpose: u32) -> f32 {
-    let whole = libm::floorf(at);
-    let value = |k: f32| 2.0 * scatter(item + 64 * k as u32, purpose) - 1.0;
-    let t = at - whole;
-    value(whole) * (1.0 - t) + value(whole + 1.0) * t
 }

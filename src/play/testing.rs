@@ -27,6 +27,7 @@ const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
             relaxations_per_day: 2,
             days,
             max_cells: 100_000,
+            ..Recipe::DEFAULT
         },
         first_day: 3,
         look: Look {
@@ -41,6 +42,7 @@ const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
         mesh: MeshFile { name: key, text: "" },
         body: sheet,
         controls: Vec::new,
+        field: |_| None,
     }
 }
 

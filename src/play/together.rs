@@ -5,7 +5,7 @@ use super::protocol::{ToPage, ToWorker};
 use super::testing::PLANTS;
 use super::worker::Worker;
 use super::{End, link};
-use crate::tissue::{Growth, Progress};
+use crate::tissue::Progress;
 use std::sync::Arc;
 
 /// A page and a worker with a mailbox between them, through the words of the protocol.
@@ -112,7 +112,7 @@ impl Together {
 fn fingerprint_of(fragment: &str) -> String {
     let scene = link::read(fragment, PLANTS).scene;
     let mesh = Arc::new(scene.plant.embedded_body().surface);
-    let mut growth = Growth::new(mesh, scene.recipe, &[], scene.individual).unwrap();
+    let mut growth = scene.plant.sow(mesh, scene.recipe, scene.individual).unwrap();
     while growth.step() != Progress::Day(scene.day) {}
     growth.diary.fingerprint(scene.day as usize)
 }

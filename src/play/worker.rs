@@ -98,9 +98,8 @@ impl Worker {
         let scene = link::read(link, self.plants).scene;
         let ground = self.ground(scene.plant)?;
         let surface = Arc::clone(&self.grounds[ground].surface);
-        let controls = (scene.plant.controls)();
-        let growth = Growth::new(surface, scene.recipe, &controls, scene.individual)
-            .map_err(|why| why.to_string())?;
+        let growth = scene.plant.sow(surface, scene.recipe, scene.individual);
+        let growth = growth.map_err(|why| why.to_string())?;
         Ok((growth, ground))
     }
 

@@ -3,6 +3,7 @@
 mod body;
 mod chart;
 mod cylinder;
+mod field;
 mod layout;
 mod mesh;
 mod obj;
@@ -13,7 +14,8 @@ mod walk;
 
 pub use body::{Body, Ornament, SurfaceError};
 pub use chart::{Charts, Image};
-pub use cylinder::{Control, ControlImage, Cylinder};
+pub use cylinder::{ControlImage, Cylinder, Wrap};
+pub use field::{DirectionField, FieldError, Guide};
 pub use mesh::{Frame, Mesh, NO_TWIN, Place};
 pub use obj::{Face, Group, ObjError, PolygonMesh};
 pub use outline::Outline;

@@ -3,6 +3,8 @@
 
 mod bins;
 mod chance;
+mod control;
+mod course;
 mod diary;
 mod divide;
 mod expectation;
@@ -15,7 +17,8 @@ mod recipe;
 mod relax;
 
 pub(crate) use bins::{Bins, Rim};
+pub use control::{Control, Use};
 pub use diary::{Day, DayCount, Diary, Lineage};
 pub use expectation::mean_descendants;
 pub use growth::{Growth, Progress};
-pub use recipe::{CellType, Recipe, RecipeError};
+pub use recipe::{CellType, Clock, Recipe, RecipeError};

@@ -1,5 +1,6 @@
 //! Relaxation: the cells push each other away, all together (Thesis 3.2.1.1).
 
+use super::course::Course;
 use super::forces::{ForceLanes, Forces};
 use super::lanes::{LANES, lanes};
 use super::near::Near;
@@ -93,8 +94,9 @@ impl Crowd {
     }
 
     /// One event: every displacement is computed from the old places, then all cells move. `forces`
-    /// are of the radius that the cells were gathered with.
-    pub fn relax(&mut self, mesh: &Mesh, forces: &Forces) {
+    /// are of the radius that the cells were gathered with. With a course, each displacement is turned
+    /// along its direction field.
+    pub fn relax(&mut self, mesh: &Mesh, forces: &Forces, course: Option<&Course>) {
         let force_lanes = ForceLanes::new(forces);
         let look_cm = look_cm(mesh, self.cells, forces.radius);
         for p in 0..self.plan.patches.len() {
@@ -113,14 +115,14 @@ impl Crowd {
                 self.moved.b2[row] = push.y;
             }
             for slot in patch.own {
-                self.step(mesh, slot, forces);
+                self.step(mesh, slot, forces, course);
             }
         }
         self.sort();
     }
 
     /// Moves the cells of a triangle as far as `moved` says they are pushed in the plane of its patch.
-    fn step(&mut self, mesh: &Mesh, slot: usize, forces: &Forces) {
+    fn step(&mut self, mesh: &Mesh, slot: usize, forces: &Forces, course: Option<&Course>) {
         let rows = self.rows(self.plan.bins.of(slot));
         if rows.is_empty() {
             return;
@@ -145,7 +147,8 @@ impl Crowd {
                 b0.simd_ge(f32x4::ZERO) & b1.simd_ge(f32x4::ZERO) & b2.simd_ge(f32x4::ZERO);
             let bins = self.plan.bins.four_within(b1, b2).to_array();
             let count = (rows.end - row).min(LANES);
-            let inside = inside.to_bitmask();
+            // Along a course every step is turned first.
+            let inside = if course.is_none() { inside.to_bitmask() } else { 0 };
             let (b1, b2) = (b1.to_array(), b2.to_array());
             let (change_1, change_2) = (change_1.to_array(), change_2.to_array());
             for lane in 0..count {
@@ -153,8 +156,9 @@ impl Crowd {
                     let bin = (slot * self.plan.bins.in_triangle()) as u32 + bins[lane] as u32;
                     self.put(row + lane, bin, b1[lane], b2[lane]);
                 } else {
-                    let step =
-                        mesh.frames[image.triangle as usize].point(change_1[lane], change_2[lane]);
+                    let triangle = image.triangle as usize;
+                    let step = mesh.frames[triangle].point(change_1[lane], change_2[lane]);
+                    let step = course.map_or(step, |course| course.turn(triangle, step));
                     let end = walk(mesh, self.place(image.triangle, row + lane), step);
                     self.caught_walks += u64::from(end.caught);
                     self.move_to(row + lane, end.place);

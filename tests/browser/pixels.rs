@@ -7,7 +7,7 @@ use clonal_mosaic::plants;
 use clonal_mosaic::play::camera::{Camera, Sphere};
 use clonal_mosaic::play::link;
 use clonal_mosaic::surface::{Body, Charts};
-use clonal_mosaic::tissue::{CellType, Growth, Progress};
+use clonal_mosaic::tissue::{CellType, Progress};
 use glam::{Mat4, Vec2, Vec3};
 use std::sync::Arc;
 
@@ -82,9 +82,8 @@ impl Polygons {
         let scene = link::read(LINK, plants::all()).scene;
         let body = scene.plant.embedded_body();
         let mesh = Arc::new(body.surface.clone());
-        let controls = (scene.plant.controls)();
         let mut growth =
-            Growth::new(mesh.clone(), scene.recipe.clone(), &controls, scene.individual).unwrap();
+            scene.plant.sow(mesh.clone(), scene.recipe.clone(), scene.individual).unwrap();
         while growth.step() != Progress::Day(scene.day) {}
         let places = &growth.diary.days[scene.day as usize].places;
         let mut charts = Charts::new(&mesh);
