@@ -1,7 +1,7 @@
 //! Croton: a shrub whose leaves turn from green to yellow in one run (Thesis, Fig. 4.3).
 
 use super::{Look, Plant, View, scatter};
-use crate::surface::{Body, Control, ControlImage, Cylinder};
+use crate::surface::{Body, Control, ControlImage, Cylinder, Wrap};
 use crate::tissue::Recipe;
 use glam::Vec3;
 
@@ -68,5 +68,5 @@ fn young_leaves() -> Vec<Control> {
         let grain = scatter((turns * 256.0) as u32 + 256 * (height * 128.0) as u32, 0);
         grain > GREENEST_SHARE * height
     });
-    vec![Control { cylinder, image }]
+    vec![Control { wrap: Wrap::Cylinder(cylinder), image }]
 }

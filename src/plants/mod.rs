@@ -1,11 +1,17 @@
 //! The catalogue: what each plant is made of, how its cells live, and how it looks.
 
+mod amanita;
+mod banded_cactus;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod bodies;
 mod cactus;
 mod croton;
+mod croton_shrub;
+mod long_watermelon;
 mod mushroom;
+mod sansevieria;
 mod spikes;
+mod square_watermelon;
 mod watermelon;
 
 use crate::surface::{Body, Control, Group, PolygonMesh};
@@ -61,7 +67,18 @@ pub struct View {
 
 /// All plants in the order of the chooser.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 4] = [croton::PLANT, cactus::PLANT, watermelon::PLANT, mushroom::PLANT];
+    static ALL: [Plant; 10] = [
+        croton::PLANT,
+        cactus::PLANT,
+        watermelon::PLANT,
+        mushroom::PLANT,
+        sansevieria::PLANT,
+        square_watermelon::PLANT,
+        croton_shrub::PLANT,
+        banded_cactus::PLANT,
+        long_watermelon::PLANT,
+        amanita::PLANT,
+    ];
     &ALL
 }
 
@@ -90,10 +107,18 @@ fn scatter(item: u32, purpose: u32) -> f32 {
     (bits >> 8) as f32 / (1 << 24) as f32
 }
 
+/// Noise from -1 to 1 along a line: straight from one random value at a whole number to the next.
+fn rough(at: f32, item: u32, purpose: u32) -> f32 {
+    let whole = libm::floorf(at);
+    let value = |k: f32| 2.0 * scatter(item + 64 * k as u32, purpose) - 1.0;
+    let t = at - whole;
+    value(whole) * (1.0 - t) + value(whole + 1.0) * t
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::{Mesh, NO_TWIN};
+    use crate::surface::{Cylinder, Mesh, NO_TWIN, Place, Tone, Wrap};
     use crate::tissue::{Growth, Progress};
     use glam::Vec3;
     use std::sync::Arc;
@@ -151,12 +176,49 @@ mod tests {
     }
 
     #[test]
-    fn a_melon_is_closed_and_caps_and_leaves_are_open() {
-        assert!(surface("watermelon").twins.iter().all(|&twin| twin != NO_TWIN));
-        for (key, parts) in [("croton", 18), ("cactus", 2), ("watermelon", 1), ("mushroom", 2)] {
-            assert_eq!(surface(key).part_count(), parts, "{key}");
+    fn melons_are_closed_and_caps_and_leaves_are_open() {
+        for (key, parts, closed) in [
+            ("croton", 18, false),
+            ("cactus", 2, false),
+            ("mushroom", 2, false),
+            ("sansevieria", 6, false),
+            ("watermelon", 1, true),
+            ("square-watermelon", 1, true),
+            ("long-watermelon", 1, true),
+        ] {
+            let mesh = surface(key);
+            assert_eq!(mesh.part_count(), parts, "{key}");
+            assert_eq!(!mesh.twins.contains(&NO_TWIN), closed, "{key}");
         }
-        assert!(surface("mushroom").twins.contains(&NO_TWIN));
+    }
+
+    #[test]
+    fn a_square_melon_is_a_cube() {
+        let mesh = surface("square-watermelon");
+        let far = |axis: Vec3| mesh.positions.iter().map(|p| p.dot(axis)).fold(0.0, f32::max);
+        for width in [far(Vec3::X) + far(-Vec3::X), far(Vec3::Z) + far(-Vec3::Z), far(Vec3::Y)] {
+            assert!((18.0..19.2).contains(&width), "{width} cm");
+        }
+        // To the middle of an upright edge that is rounded by 3 cm.
+        let edge = far(Vec3::new(1.0, 0.0, 1.0).normalize());
+        assert!((edge - (6.0 * 2_f32.sqrt() + 3.0)).abs() < 0.3, "{edge} cm");
+    }
+
+    #[test]
+    fn a_snake_plant_has_clean_margins_and_bands_within() {
+        let mesh = surface("sansevieria");
+        let controls = (find("sansevieria").unwrap().controls)();
+        let mut by_tone = [0.0; 3];
+        for triangle in 0..mesh.triangles.len() as u32 {
+            let tone = controls[0].tone(&mesh, Place { triangle, b1: 0.33, b2: 0.33 });
+            by_tone[tone as usize] += mesh.areas[triangle as usize] / mesh.area;
+            // No leaf coordinate of one leaf lies on another's place in the image.
+            let corners = mesh.triangles[triangle as usize].map(|v| mesh.uvs[v as usize].x);
+            let place = mesh.parts[triangle as usize] as f32;
+            assert!(corners.iter().all(|x| (-1e-4..1.0001).contains(&(5.0 * (x + 1.0) - place))));
+        }
+        let expected = [0.43, 0.3, 0.27];
+        assert!(by_tone.iter().zip(expected).all(|(a, b)| (a - b).abs() < 0.04), "{by_tone:?}");
     }
 
     #[test]
@@ -174,17 +236,27 @@ mod tests {
 
     #[test]
     fn control_images_leave_both_types_their_share() {
-        for (key, white) in [("croton", 0.7), ("watermelon", 0.36), ("mushroom", 0.9)] {
+        for (key, white) in [
+            ("croton", 0.7),
+            ("watermelon", 0.36),
+            ("mushroom", 0.9),
+            ("square-watermelon", 0.36),
+            ("long-watermelon", 0.36),
+            ("banded-cactus", 0.5),
+            ("amanita", 0.7),
+        ] {
             let mesh = surface(key);
             let controls = (find(key).unwrap().controls)();
             for control in &controls {
-                assert!((control.cylinder.axis.length() - 1.0).abs() < 1e-6);
-                assert!((control.cylinder.zero.length() - 1.0).abs() < 1e-6);
-                assert!(control.cylinder.axis.dot(control.cylinder.zero).abs() < 1e-6);
+                let Wrap::Cylinder(Cylinder { axis, zero, .. }) = control.wrap else { continue };
+                assert!((axis.length() - 1.0).abs() < 1e-6);
+                assert!((zero.length() - 1.0).abs() < 1e-6);
+                assert!(axis.dot(zero).abs() < 1e-6);
             }
-            let centroid = |t: u32| mesh.corners(t).iter().sum::<Vec3>() / 3.0;
+            let centroid = |triangle| Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
+            let is_white = |t| controls.iter().all(|c| c.tone(&mesh, centroid(t)) == Tone::White);
             let allowed: f32 = (0..mesh.triangles.len() as u32)
-                .filter(|&t| controls.iter().all(|c| c.allows_foreground(centroid(t))))
+                .filter(|&t| is_white(t))
                 .map(|t| mesh.areas[t as usize])
                 .sum();
             let share = allowed / mesh.area;

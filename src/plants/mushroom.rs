@@ -1,7 +1,7 @@
 //! Fly agaric: white warts on a red cap (Thesis, Fig. 4.15).
 
 use super::{Look, Plant, View, scatter, spikes};
-use crate::surface::{Body, Control, ControlImage, Cylinder, PolygonMesh};
+use crate::surface::{Body, Control, ControlImage, Cylinder, PolygonMesh, Wrap};
 use crate::tissue::Recipe;
 use glam::Vec3;
 
@@ -94,5 +94,5 @@ fn warts() -> Vec<Control> {
         let grain = scatter((turns * 256.0) as u32 + 256 * (height * 128.0) as u32, 0);
         grain > WHITE_AT_THE_TOP * height
     });
-    vec![Control { cylinder, image }]
+    vec![Control { wrap: Wrap::Cylinder(cylinder), image }]
 }

@@ -1,7 +1,7 @@
 //! Watermelon: dark jagged stripes from end to end (Thesis, Fig. 4.17).
 
-use super::{Look, Plant, View, scatter};
-use crate::surface::{Body, Control, ControlImage, Cylinder};
+use super::{Look, Plant, View, rough};
+use crate::surface::{Body, Control, ControlImage, Cylinder, Wrap};
 use crate::tissue::Recipe;
 use glam::Vec3;
 
@@ -57,19 +57,24 @@ fn grow_body() -> Body {
     super::body(&super::smooth(include_str!("../../meshes/watermelon.obj"), |_| 2))
 }
 
-/// Dark stripes on a cylinder along the fruit.
 fn stripes() -> Vec<Control> {
+    stripes_along(AXIS, CENTRE, HALF_LENGTH_CM)
+}
+
+/// Dark stripes on a cylinder along a fruit.
+pub(super) fn stripes_along(axis: Vec3, centre: Vec3, half_length_cm: f32) -> Vec<Control> {
     let cylinder = Cylinder {
-        base: CENTRE - AXIS * HALF_LENGTH_CM,
-        axis: AXIS,
-        zero: AXIS.cross(Vec3::Y).normalize(),
-        height: 2.0 * HALF_LENGTH_CM,
+        base: centre - axis * half_length_cm,
+        axis,
+        zero: axis.cross(Vec3::Y).normalize(),
+        height: 2.0 * half_length_cm,
     };
-    vec![Control { cylinder, image: ControlImage::paint(512, 256, is_stripe) }]
+    let image = ControlImage::paint(512, 256, is_stripe);
+    vec![Control { wrap: Wrap::Cylinder(cylinder), image }]
 }
 
 /// Whether a first cell at this angle, in turns, and height may be dark.
-fn is_stripe(turns: f32, height: f32) -> bool {
+pub(super) fn is_stripe(turns: f32, height: f32) -> bool {
     let stripe = (turns * STRIPES as f32) as u32 % STRIPES;
     let from_middle = turns * STRIPES as f32 - stripe as f32 - 0.5;
     let side = u32::from(from_middle > 0.0);
@@ -78,12 +83,4 @@ fn is_stripe(turns: f32, height: f32) -> bool {
     let width = 0.17 + 0.03 * rough(0.0, stripe, 1) + 0.05 * rough(height * 9.0, stripe, 2 + side);
     let teeth = 0.09 * rough(height * 34.0, stripe, 4 + side);
     (from_middle - wander).abs() < width + teeth
-}
-
-/// Noise from -1 to 1 along a line: straight from one random value at a whole number to the next.
-fn rough(at: f32, item: u32, purpose: u32) -> f32 {
-    let whole = libm::floorf(at);
-    let value = |k: f32| 2.0 * scatter(item + 64 * k as u32, purpose) - 1.0;
-    let t = at - whole;
-    value(whole) * (1.0 - t) + value(whole + 1.0) * t
 }

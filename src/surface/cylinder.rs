@@ -1,5 +1,6 @@
 //! Cylinders around a body and the control images on them (Thesis 3.2.2, 3.2.3; Paper Fig. 4).
 
+use super::{Mesh, Place};
 use glam::Vec3;
 
 /// A cylinder around a body: a point of the body is looked up by its angle and height.
@@ -24,11 +25,52 @@ pub struct ControlImage {
     pub grey: Vec<u8>,
 }
 
-/// A control image on its cylinder: where it is black, first cells of type F become B.
+/// How a control image lies on a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Wrap {
+    Cylinder(Cylinder),
+    /// Spread over the leaves by their leaf coordinates, from rim to rim and from base to tip. (The
+    /// thesis wraps each leaf in a cylinder; leaf coordinates follow blades that bend.)
+    Leaf,
+}
+
+/// A control image on a body: where it is black, first cells of type F become B, and where it is
+/// grey, M.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Control {
-    pub cylinder: Cylinder,
+    pub wrap: Wrap,
     pub image: ControlImage,
+}
+
+/// What a control image says of a place: a third of the greys each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tone {
+    Black,
+    Grey,
+    White,
+}
+
+impl From<bool> for Tone {
+    fn from(is_white: bool) -> Tone {
+        if is_white { Tone::White } else { Tone::Black }
+    }
+}
+
+impl Wrap {
+    /// Where in the image a place looks: turns, `0..=1`, and height, 0 at the bottom of the image
+    /// and 1 at its top. Half a turn is the midrib of a leaf.
+    ///
+    /// # Panics
+    /// For `Wrap::Leaf` on a mesh without leaf coordinates.
+    pub fn coordinates(&self, mesh: &Mesh, place: Place) -> (f32, f32) {
+        match self {
+            Wrap::Cylinder(cylinder) => cylinder.coordinates(mesh.point(place)),
+            Wrap::Leaf => {
+                let leaf = mesh.uv(place);
+                (0.5 * (leaf.x + 1.0), leaf.y)
+            }
+        }
+    }
 }
 
 impl Cylinder {
@@ -46,12 +88,20 @@ impl Cylinder {
 
 impl ControlImage {
     /// Paints an image from a rule: `rule(turns, height)` with both in `0..1`, at pixel centres;
-    /// true is white.
-    pub fn paint(width: u32, height: u32, rule: impl Fn(f32, f32) -> bool) -> ControlImage {
+    /// it gives a tone, or true for white and false for black.
+    pub fn paint<T: Into<Tone>>(
+        width: u32,
+        height: u32,
+        rule: impl Fn(f32, f32) -> T,
+    ) -> ControlImage {
         let centre = |k: u32, n: u32| (k as f32 + 0.5) / n as f32;
         let grey = (0..height)
             .flat_map(|y| (0..width).map(move |x| (x, y)))
-            .map(|(x, y)| if rule(centre(x, width), centre(y, height)) { 255 } else { 0 })
+            .map(|(x, y)| match rule(centre(x, width), centre(y, height)).into() {
+                Tone::Black => 0,
+                Tone::Grey => 128,
+                Tone::White => 255,
+            })
             .collect();
         ControlImage { width, height, grey }
     }
@@ -65,9 +115,13 @@ impl ControlImage {
 }
 
 impl Control {
-    /// Whether a first cell at this point may be of type F.
-    pub fn allows_foreground(&self, point: Vec3) -> bool {
-        let (turns, height) = self.cylinder.coordinates(point);
-        self.image.at(turns, height) >= 128
+    /// What the image says of a place.
+    pub fn tone(&self, mesh: &Mesh, place: Place) -> Tone {
+        let (turns, height) = self.wrap.coordinates(mesh, place);
+        match self.image.at(turns, height) {
+            0..=84 => Tone::Black,
+            85..=169 => Tone::Grey,
+            170..=255 => Tone::White,
+        }
     }
 }

@@ -84,6 +84,12 @@ impl Mesh {
         a + (b - a) * place.b1 + (c - a) * place.b2
     }
 
+    /// The texture coordinates of a place; the mesh must have some.
+    pub fn uv(&self, place: Place) -> Vec2 {
+        let [a, b, c] = self.triangles[place.triangle as usize].map(|v| self.uvs[v as usize]);
+        a + (b - a) * place.b1 + (c - a) * place.b2
+    }
+
     /// Number of connected parts.
     pub fn part_count(&self) -> usize {
         self.parts.iter().max().map_or(0, |&p| p as usize + 1)

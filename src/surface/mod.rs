@@ -10,7 +10,7 @@ mod walk;
 
 pub use body::{Body, Ornament, SurfaceError};
 pub use chart::{Charts, Image, Images};
-pub use cylinder::{Control, ControlImage, Cylinder};
+pub use cylinder::{Control, ControlImage, Cylinder, Tone, Wrap};
 pub use mesh::{Frame, Mesh, NO_TWIN, Place};
 pub use obj::{Face, Group, ObjError, PolygonMesh};
 pub use walk::{Step, walk};

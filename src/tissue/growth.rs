@@ -5,7 +5,7 @@ use super::divide::Clocks;
 use super::near::Forces;
 use super::relax::Crowd;
 use super::{CellType, Day, Diary, Lineage, Recipe, RecipeError};
-use crate::surface::{Charts, Control, Images, Mesh, Place};
+use crate::surface::{Charts, Control, Images, Mesh, Place, Tone};
 use std::sync::Arc;
 
 /// A run under way: it can be taken one relaxation event at a time, so that whoever drives it
@@ -40,7 +40,8 @@ pub enum Progress {
 }
 
 impl Growth {
-    /// Sows the first cells (Thesis 3.2.1.1). Where a control image is black, an F cell becomes B.
+    /// Sows the first cells (Thesis 3.2.1.1). Where a control image is black, an F cell becomes B, and
+    /// where it is grey, M.
     pub fn new(
         mesh: Arc<Mesh>,
         recipe: Recipe,
@@ -180,9 +181,13 @@ fn sow(
             let place = Place { triangle: triangle.min(up_to.len() - 1) as u32, b1, b2 };
             let drawn = pick(&recipe.initial_probability, chance(Purpose::FirstType));
             let mut kind = CellType::from_index(drawn as u8);
-            let black = || controls.iter().any(|c| !c.allows_foreground(mesh.point(place)));
-            if kind == CellType::Foreground && black() {
-                kind = CellType::Background;
+            if kind == CellType::Foreground {
+                let mut tones = controls.iter().map(|control| control.tone(mesh, place));
+                kind = match tones.find(|&tone| tone != Tone::White) {
+                    None | Some(Tone::White) => CellType::Foreground,
+                    Some(Tone::Grey) => CellType::Middle,
+                    Some(Tone::Black) => CellType::Background,
+                };
             }
             (Lineage { parent: number, founder: number, born_day: 0, kind }, place)
         })

@@ -169,39 +169,3 @@ impl Leaf {
         sketch.tube(5, &path);
     }
 }
-
-#[test]
-fn leaves_do_not_cut_through_each_other() {
-    let mesh = (crate::plants::find("croton").unwrap().body)().surface;
-    assert_eq!(mesh.part_count(), LEAVES as usize);
-    let boxes: Vec<(Vec3, Vec3)> = (0..mesh.triangles.len() as u32)
-        .map(|t| {
-            let [a, b, c] = mesh.corners(t);
-            (a.min(b).min(c), a.max(b).max(c))
-        })
-        .collect();
-    let apart = |s: usize, t: usize| {
-        boxes[s].0.cmpgt(boxes[t].1).any() || boxes[t].0.cmpgt(boxes[s].1).any()
-    };
-    let mut cuts = std::collections::BTreeSet::new();
-    for s in 0..boxes.len() {
-        for t in 0..boxes.len() {
-            if mesh.parts[s] == mesh.parts[t] || apart(s, t) {
-                continue;
-            }
-            let (of_s, of_t) = (mesh.corners(s as u32), mesh.corners(t as u32));
-            if (0..3).any(|k| pierces(of_s[k], of_s[(k + 1) % 3], of_t)) {
-                cuts.insert((mesh.parts[s] + 1, mesh.parts[t] + 1));
-            }
-        }
-    }
-    assert!(cuts.is_empty(), "pairs of leaves: {cuts:?}");
-}
-
-/// Whether the straight line from `p` to `q` goes through a triangle.
-fn pierces(p: Vec3, q: Vec3, [a, b, c]: [Vec3; 3]) -> bool {
-    let volume = |a: Vec3, b: Vec3, c: Vec3, d: Vec3| (b - a).cross(c - a).dot(d - a);
-    let sides = [volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)];
-    let through = sides.iter().all(|&v| v > 0.0) || sides.iter().all(|&v| v < 0.0);
-    through && volume(a, b, c, p) * volume(a, b, c, q) < 0.0
-}

@@ -6,19 +6,26 @@
 mod cactus;
 mod croton;
 mod mushroom;
+mod sansevieria;
 mod sketch;
+mod square_watermelon;
 mod watermelon;
 
-use crate::surface::PolygonMesh;
+use crate::surface::{Mesh, PolygonMesh};
+use glam::Vec3;
+use std::collections::BTreeSet;
 
 type Rule = fn() -> PolygonMesh;
 
 /// The name of each file under `meshes/` and the rule that makes it.
-const RULES: [(&str, Rule); 4] = [
+const RULES: [(&str, Rule); 7] = [
     ("croton", croton::grow),
     ("cactus", cactus::grow),
     ("watermelon", watermelon::grow),
     ("mushroom", mushroom::grow),
+    ("square_watermelon", square_watermelon::grow),
+    ("long_watermelon", watermelon::grow_long),
+    ("sansevieria", sansevieria::grow),
 ];
 
 fn path(name: &str) -> std::path::PathBuf {
@@ -45,4 +52,47 @@ fn rewrite_meshes() {
     for (name, grow) in RULES {
         std::fs::write(path(name), text(name, &grow())).unwrap();
     }
+}
+
+#[test]
+fn leaves_do_not_cut_through_each_other() {
+    for key in ["croton", "sansevieria"] {
+        let mesh = (crate::plants::find(key).unwrap().body)().surface;
+        let cuts = cuts(&mesh);
+        assert!(cuts.is_empty(), "{key}, pairs of leaves: {cuts:?}");
+    }
+}
+
+/// The pairs of parts that cut through each other, counted from 1.
+fn cuts(mesh: &Mesh) -> BTreeSet<(u32, u32)> {
+    let boxes: Vec<(Vec3, Vec3)> = (0..mesh.triangles.len() as u32)
+        .map(|t| {
+            let [a, b, c] = mesh.corners(t);
+            (a.min(b).min(c), a.max(b).max(c))
+        })
+        .collect();
+    let apart = |s: usize, t: usize| {
+        boxes[s].0.cmpgt(boxes[t].1).any() || boxes[t].0.cmpgt(boxes[s].1).any()
+    };
+    let mut cuts = BTreeSet::new();
+    for s in 0..boxes.len() {
+        for t in 0..boxes.len() {
+            if mesh.parts[s] == mesh.parts[t] || apart(s, t) {
+                continue;
+            }
+            let (of_s, of_t) = (mesh.corners(s as u32), mesh.corners(t as u32));
+            if (0..3).any(|k| pierces(of_s[k], of_s[(k + 1) % 3], of_t)) {
+                cuts.insert((mesh.parts[s] + 1, mesh.parts[t] + 1));
+            }
+        }
+    }
+    cuts
+}
+
+/// Whether the straight line from `p` to `q` goes through a triangle.
+fn pierces(p: Vec3, q: Vec3, [a, b, c]: [Vec3; 3]) -> bool {
+    let volume = |a: Vec3, b: Vec3, c: Vec3, d: Vec3| (b - a).cross(c - a).dot(d - a);
+    let sides = [volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)];
+    let through = sides.iter().all(|&v| v > 0.0) || sides.iter().all(|&v| v < 0.0);
+    through && volume(a, b, c, p) * volume(a, b, c, q) < 0.0
 }
