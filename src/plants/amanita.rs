@@ -16,9 +16,9 @@ pub const PLANT: Plant = Plant {
         initial_probability: [0.9, 0.1, 0.0],
         division_days: [5.0, 30.0, 30.0],
         radius_scale: 1.0,
-        // Open in the thesis. Red cells multiply sixty-fold, white ones hardly: with 0.4 and ten events
-        // a day they crush the white from a third to a tenth of the caps; with less than 0.05 hardly
-        // anything moves.
+        // Open in the thesis. Red cells multiply sixty-fold, white ones hardly: with 0.4 and ten
+        // events a day they crush the white from a third to a tenth of the caps; with less than 0.05
+        // hardly anything moves.
         repulsion: 0.05,
         // Open in the thesis: as above.
         relaxations_per_day: 4,
@@ -43,8 +43,8 @@ struct Cap {
     wart_radius: f32,
 }
 
-/// The caps of `meshes/mushroom.obj`. Smaller warts would be crushed, larger ones run together at the
-/// top: these leave a fifth of the last day white.
+/// The caps of `meshes/mushroom.obj`. Smaller warts are crushed, larger ones run together at the top:
+/// these leave a fifth of the last day white.
 const CAPS: [Cap; 2] = [
     Cap { rim: Vec3::new(1.8, 12.4, 0.0), radius: 6.3, height: 3.7, warts: 66, wart_radius: 0.72 },
     Cap { rim: Vec3::new(-4.6, 4.1, 2.2), radius: 2.55, height: 2.7, warts: 18, wart_radius: 0.46 },

@@ -16,7 +16,7 @@ pub const PLANT: Plant = Plant {
         // have green flecks, which those of the plant have not.
         initial_probability: [1.0, 0.0, 0.0],
         // F is the margin, B the ground. The bands are M, and M lives by the numbers of B in all: it
-        // is the ground in another colour, as the thesis has it from an image.
+        // is the ground in another colour, which the control image gives.
         division_days: [5.0, 70.0, 70.0],
         mutation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         adhesion: [[0.7, 0.0, 0.0], [0.0, 0.7, 0.7], [0.0, 0.7, 0.7]],
@@ -49,10 +49,10 @@ pub const PLANT: Plant = Plant {
 /// The leaf coordinates of all leaves lie side by side, as in an atlas, so that each leaf has bands
 /// of its own: so many places are there, the last ones empty.
 pub(super) const ATLAS_PLACES: usize = 10;
-/// From soil to tip, the tallest first.
+/// Each leaf from the soil to its tip.
 pub(super) const LENGTHS_CM: [f32; 6] = [51.0, 45.0, 47.5, 37.0, 40.0, 24.0];
-/// On day 0, when cells stand a quarter of a centimetre apart; up to day 15 it widens by a quarter. With
-/// 0.3 it would be a broken line at first, with 1 the young leaf would have no middle.
+/// On day 0, when cells stand a quarter of a centimetre apart; it widens by a quarter up to day 15.
+/// With 0.3 it is a broken line at first, with 1 the young leaf has hardly a middle.
 const MARGIN_CM: f32 = 0.6;
 
 /// Half the width of a blade at `t`, from 0 in the soil to 1 at the tip.

@@ -31,7 +31,7 @@ fn rind(at: [i32; 3]) -> Vec3 {
     let turn = |c: i32| libm::tanf((way(c) - FLAT_CM).max(0.0) / EDGE_CM);
     let round = (sign * Vec3::from(at.map(turn))).normalize() * EDGE_CM;
     let cube = flat + round;
-    // The fruit swells against the box: its faces are a little convex, but for the one it stands on.
+    // The fruit swells against the box: its faces are a little convex, but for the lowest.
     let share = cube / HALF_SIDE_CM;
     let swell =
         |own: f32, b: f32, c: f32| BULGE_CM * own * own * own * (1.0 - b * b - c * c).max(0.0);

@@ -1,5 +1,5 @@
-//! Watermelons that lie on the ground: a round one that turns its stem end to the viewer, and a long
-//! one that shows its side.
+//! Watermelons that lie on the ground: a round one that turns its stem end to the viewer, and a
+//! long one that shows its side.
 
 use super::sketch::{Sketch, jitter, jitter_at, sin_cos};
 use crate::plants::{long_watermelon, watermelon};
