@@ -10,6 +10,7 @@ use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlInputElement};
 
 pub struct Chooser {
+    list: Element,
     radios: Vec<HtmlInputElement>,
     _listeners: Vec<Listener>,
 }
@@ -39,7 +40,7 @@ impl Chooser {
                 app::send(Event::ChoosePlant(radio.value()));
             }
         }));
-        Chooser { radios, _listeners: listeners }
+        Chooser { list, radios, _listeners: listeners }
     }
 
     pub fn show(&self, page: &Page) {
@@ -47,7 +48,17 @@ impl Chooser {
             let chosen = radio.value() == page.scene().plant.key;
             if radio.checked() != chosen {
                 radio.set_checked(chosen);
+                if chosen {
+                    self.bring_into_sight(radio);
+                }
             }
         }
+    }
+
+    /// On a phone the plants stand in a row that is longer than the screen.
+    fn bring_into_sight(&self, radio: &HtmlInputElement) {
+        let (row, plant) = (self.list.get_bounding_client_rect(), radio.get_bounding_client_rect());
+        let from_middle = plant.left() + 0.5 * plant.width() - row.left() - 0.5 * row.width();
+        self.list.set_scroll_left(self.list.scroll_left() + from_middle as i32);
     }
 }
