@@ -7,8 +7,8 @@
 #[allow(dead_code)]
 mod meshes;
 
-use clonal_mosaic::mosaic::SiteLists;
-use clonal_mosaic::surface::{Charts, Images, Mesh};
+use clonal_mosaic::mosaic::SiteFinder;
+use clonal_mosaic::surface::Mesh;
 use clonal_mosaic::tissue::{Growth, Progress, Recipe};
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -99,14 +99,10 @@ fn site_lists(c: &mut Criterion) {
             Recipe { initial_relaxations: 20, relaxations_per_day: 5, ..still(cells, 1.0) };
         let mut growth = settled(&mesh, recipe);
         while growth.step() == Progress::Event {}
-        let mut charts = Charts::new(&mesh, Images::Visible);
-        let mut lists = SiteLists::default();
+        let mut finder = SiteFinder::new(&mesh);
         group.throughput(Throughput::Elements(cells.into()));
         group.bench_function(BenchmarkId::from_parameter(cells), |b| {
-            b.iter(|| {
-                lists.build(&mesh, &mut charts, &growth.diary, 1);
-                black_box(lists.sites.len())
-            });
+            b.iter(|| black_box(finder.find(&mesh, &growth.diary, 1)));
         });
     }
     group.finish();

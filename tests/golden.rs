@@ -2,7 +2,7 @@
 
 use clonal_mosaic::plants;
 use clonal_mosaic::play::link;
-use clonal_mosaic::tissue::{Growth, Progress};
+use clonal_mosaic::tissue::Progress;
 use std::sync::Arc;
 
 const TABLE: &str = include_str!("golden_links.txt");
@@ -16,9 +16,8 @@ fn fingerprint(text: &str) -> String {
     let opened = link::read(text, plants::all());
     assert!(opened.left_out.is_empty(), "{text}: {:?}", opened.left_out);
     let scene = opened.scene;
-    let mesh = Arc::new((scene.plant.body)().surface);
-    let controls = (scene.plant.controls)();
-    let mut growth = Growth::new(mesh, scene.recipe, &controls, scene.individual).unwrap();
+    let mesh = Arc::new(scene.plant.embedded_body().surface);
+    let mut growth = scene.plant.sow(mesh, scene.recipe, scene.individual).unwrap();
     while growth.step() != Progress::Day(scene.day) {}
     growth.diary.fingerprint(scene.day as usize)
 }

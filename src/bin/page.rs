@@ -1,6 +1,6 @@
-//! The page, drawn with WebGPU.
+//! The page, drawn with WebGPU, and its worker.
 
 fn main() {
     #[cfg(target_arch = "wasm32")]
-    clonal_mosaic::browser::start_page();
+    clonal_mosaic::browser::start();
 }

@@ -18,6 +18,7 @@ use crate::draw::{DrawError, Renderer};
 use crate::plants;
 use crate::play::page::{Effect, Event, Page};
 use crate::play::parameters::Parameter;
+use crate::play::protocol::BUILD;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::spawn_local;
@@ -200,6 +201,7 @@ impl App {
                         ));
                     }
                 }
+                Effect::LoadMesh(name) => spawn_local(load_mesh(name)),
                 Effect::WriteLink(link) => write_link(&link),
                 Effect::Say(text) => {
                     document().set_title(&format!("{text} · Clonal Mosaic"));
@@ -267,6 +269,11 @@ impl App {
             spawn_local(backend::start_renderer(self.stage.canvas()));
         }
     }
+}
+
+async fn load_mesh(name: &'static str) {
+    let text = mail::fetch_text(&format!("./meshes/{name}?build={BUILD}")).await;
+    send(Event::Mesh { name, text });
 }
 
 fn write_link(link: &str) {

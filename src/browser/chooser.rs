@@ -29,7 +29,7 @@ impl Chooser {
                 set_text(&within(&label, ".name"), plant.name);
                 let picture: Element = within(&label, "img");
                 listeners.push(mark_when_missing(&picture));
-                set_attribute(&picture, "src", format!("posters/{}-small.webp", plant.key));
+                set_attribute(&picture, "src", format!("posters/{}-small.avif", plant.key));
                 let _ = list.append_child(&label);
                 radio
             })

@@ -1,5 +1,8 @@
 //! The document: finding elements, writing to them only what changed, and listening.
 
+// The boot bundle needs little of it.
+#![cfg_attr(not(feature = "draw"), allow(dead_code))]
+
 use std::fmt::Display;
 use wasm_bindgen::convert::FromWasmAbi;
 use wasm_bindgen::prelude::*;

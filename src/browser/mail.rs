@@ -1,12 +1,15 @@
-//! The mail between the page and its worker.
+//! The mail between the page and its worker, and files from our host.
 
 use super::app;
+use super::backend::IS_WEBGL_BUNDLE;
+use super::boot::loader;
 use super::dom::{self, Listener, on};
 use crate::play::page::Event;
 use crate::play::protocol::{BUILD, ToPage, ToWorker};
 use js_sys::Uint32Array;
 use wasm_bindgen::JsCast;
-use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{ErrorEvent, MessageEvent, Response, Worker, WorkerOptions, WorkerType};
 
 /// Remembers, for this tab, that the page was loaded again because of a worker of another build.
 const RELOADED: &str = "mosaic-reloaded-for";
@@ -18,11 +21,12 @@ pub struct Mail {
 }
 
 impl Mail {
-    /// Starts the worker. Its address carries our build, so that no cache answers with another.
+    /// Starts the worker: the bundle of this page once more, which the browser has at hand. Its
+    /// address carries our build, so that no cache answers with another.
     pub fn start() -> Result<Mail, String> {
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
-        let address = format!("./worker_loader.js?build={BUILD}");
+        let address = loader(if IS_WEBGL_BUNDLE { "page_gl" } else { "page" });
         let worker = Worker::new_with_options(&address, &options)
             .map_err(|_| "This browser starts no worker: the plant cannot grow.".to_string())?;
         let listeners = [
@@ -52,6 +56,17 @@ impl Drop for Mail {
     fn drop(&mut self) {
         self.worker.terminate();
     }
+}
+
+/// What stands in a text file of our host; in an error, why it cannot be had.
+pub async fn fetch_text(address: &str) -> Result<String, String> {
+    let answer = JsFuture::from(dom::window().fetch_with_str(address)).await;
+    let answer: Response = answer.map_err(|_| "no connection")?.unchecked_into();
+    if !answer.ok() {
+        return Err(format!("the server answers {}", answer.status()));
+    }
+    let text = JsFuture::from(answer.text().map_err(|_| "no text")?).await;
+    text.ok().and_then(|text| text.as_string()).ok_or_else(|| "the connection broke".to_string())
 }
 
 /// Loads the page again because page and worker are of different builds; false if that was tried

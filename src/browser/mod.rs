@@ -5,11 +5,11 @@
 mod app;
 #[cfg(feature = "draw")]
 mod backend;
+mod boot;
 #[cfg(feature = "draw")]
 mod chooser;
 #[cfg(feature = "draw")]
 mod controls;
-#[cfg(feature = "draw")]
 mod dom;
 #[cfg(feature = "draw")]
 mod frames;
@@ -29,8 +29,18 @@ mod stage;
 mod surroundings;
 #[cfg(feature = "draw")]
 mod timeline;
+#[cfg(feature = "draw")]
 mod worker;
 
+/// Starts the bundle that chooses among the others.
+pub fn start_boot() {
+    console_error_panic_hook::set_once();
+    wasm_bindgen_futures::spawn_local(boot::boot());
+}
+
+/// Starts what a bundle is: the page, or, where it was started as a worker, the worker.
 #[cfg(feature = "draw")]
-pub use backend::start_page;
-pub use worker::start_worker;
+pub fn start() {
+    console_error_panic_hook::set_once();
+    if web_sys::window().is_some() { backend::start_page() } else { worker::start_worker() }
+}

@@ -3,11 +3,10 @@
 use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
 use crate::draw::{DrawError, Frame, Renderer};
-use crate::mosaic::SiteLists;
-use crate::plants::{self, Look};
+use crate::plants::{BodyError, Look, Plant};
 use crate::play::camera::Sphere;
 use crate::play::page::{Page, Shown};
-use crate::surface::{Body, Charts, Images};
+use crate::surface::Body;
 use wasm_bindgen::prelude::*;
 use web_sys::{HtmlCanvasElement, HtmlElement, HtmlImageElement, ResizeObserver};
 
@@ -21,7 +20,6 @@ pub struct Stage {
     graphics: Graphics,
     /// The body on the stage, and the key of its plant.
     body: Option<(&'static str, OnStage)>,
-    lists: SiteLists,
     /// What the renderer has been handed.
     handed: Handed,
     size_px: (u32, u32),
@@ -41,7 +39,6 @@ enum Graphics {
 struct OnStage {
     body: Body,
     sphere: Sphere,
-    charts: Charts,
 }
 
 #[derive(Default)]
@@ -68,7 +65,6 @@ impl Stage {
             poster,
             graphics: Graphics::Starting,
             body: None,
-            lists: SiteLists::default(),
             handed: Handed::default(),
             size_px: (0, 0),
             _resize: resize,
@@ -139,10 +135,12 @@ impl Stage {
             return Ok(matches!(self.graphics, Graphics::None));
         };
         let key = page.scene().plant.key;
-        let (_, on_stage) = match self.body.take() {
-            Some(body) if body.0 == key => self.body.insert(body),
-            _ => self.body.insert((key, OnStage::of(page.scene().plant))),
-        };
+        if self.body.as_ref().is_none_or(|(of, _)| *of != key) {
+            // What is no mesh the worker tells.
+            let on_stage = page.mesh().and_then(|mesh| OnStage::of(page.scene().plant, mesh).ok());
+            self.body = on_stage.map(|on_stage| (key, on_stage));
+        }
+        let Some((_, on_stage)) = &mut self.body else { return Ok(false) };
         let handed = &mut self.handed;
         let look = &page.scene().look;
         if handed.plant != Some(key) || handed.look.as_ref() != Some(look) {
@@ -153,13 +151,18 @@ impl Stage {
         if let Some(day) = &shown.day
             && shown.generation == run.generation
             && handed.day != Some((shown.generation, day.day))
+            && let Some(lists) = run.lists(day.day)
         {
-            let surface = &on_stage.body.surface;
-            self.lists.build(surface, &mut on_stage.charts, &run.diary, day.day as usize);
-            let mean_spacing_cm = (surface.area / day.facts.count.cells.max(1) as f32).sqrt();
-            renderer.set_sites(&self.lists, mean_spacing_cm)?;
+            let area = on_stage.body.surface.area;
+            let mean_spacing_cm = (area / day.facts.count.cells.max(1) as f32).sqrt();
+            renderer.set_sites(lists, mean_spacing_cm)?;
             handed.day = Some((shown.generation, day.day));
             handed.frame = None;
+        }
+        if handed.day.is_none() {
+            // The poster stands there still; a frame of the bare body would only delay the first
+            // one with cells.
+            return Ok(true);
         }
         let (width, height) = self.size_px;
         let frame = Frame {
@@ -183,7 +186,7 @@ impl Stage {
         let live = matches!(self.graphics, Graphics::Running(_)) && self.handed.day.is_some();
         set_flag(&self.element, "data-live", live);
         if !live {
-            let address = format!("posters/{}.webp", shown.plant);
+            let address = format!("posters/{}.avif", shown.plant);
             if self.poster.get_attribute("src").as_deref() != Some(&address) {
                 set_flag(&self.poster, "data-missing", false);
                 set_attribute(&self.poster, "src", address);
@@ -199,10 +202,9 @@ impl Drop for Stage {
 }
 
 impl OnStage {
-    fn of(plant: &plants::Plant) -> OnStage {
-        let body = (plant.body)();
+    fn of(plant: &Plant, mesh: &str) -> Result<OnStage, BodyError> {
+        let body = (plant.body)(mesh)?;
         let sphere = Sphere::around(&body);
-        let charts = Charts::new(&body.surface, Images::Visible);
-        OnStage { body, sphere, charts }
+        Ok(OnStage { body, sphere })
     }
 }

@@ -18,7 +18,6 @@ thread_local! {
 
 /// Starts to listen, and then says hello: what is sent before is lost.
 pub fn start_worker() {
-    console_error_panic_hook::set_once();
     let next_slice = NextSlice::new();
     let hear = Closure::<dyn FnMut(MessageEvent)>::new(move |message: MessageEvent| {
         let words = message.data().dyn_into::<Uint32Array>().map(|w| w.to_vec());

@@ -5,7 +5,7 @@ use super::geometry::{Geometry, vein_lean};
 use super::pipelines::{DEPTH, Pipelines, SAMPLES};
 use super::scene::{BARE_MATERIALS, SHADOW_SIDE, Scene};
 use super::{DrawError, Frame};
-use crate::mosaic::SiteLists;
+use crate::mosaic::{Site, SiteLists};
 use crate::plants::Look;
 use crate::surface::{Body, NO_TWIN};
 use bytemuck::Zeroable;
@@ -144,7 +144,8 @@ impl Renderer {
     pub fn set_sites(&mut self, lists: &SiteLists, mean_spacing_cm: f32) -> Result<(), DrawError> {
         self.scene.set_mean_spacing(mean_spacing_cm);
         let heads_grew = self.heads.write(&self.device, &self.queue, &lists.heads)?;
-        let sites_grew = self.sites.write(&self.device, &self.queue, &lists.sites)?;
+        let pairs: &[[Site; 2]] = bytemuck::cast_slice(&lists.sites);
+        let sites_grew = self.sites.write(&self.device, &self.queue, pairs)?;
         if heads_grew || sites_grew {
             self.sites_group = bind_sites(&self.device, &self.pipelines, &self.heads, &self.sites);
         }

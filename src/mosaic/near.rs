@@ -91,6 +91,11 @@ impl SortedCells {
         self.starts[0] = 0;
     }
 
+    /// The farthest that a corner of a triangle lies from its centroid, in centimetres.
+    pub fn size(&self, triangle: usize) -> f32 {
+        self.bins.sizes[triangle] * self.bins.cuts as f32
+    }
+
     fn rows(&self, first_bin: usize, end_bin: usize) -> std::ops::Range<usize> {
         self.starts[first_bin] as usize..self.starts[end_bin] as usize
     }
@@ -119,23 +124,6 @@ pub struct Near {
     columns: [Vec<f32>; 4],
     tags: Vec<u32>,
     len: usize,
-}
-
-/// Four sites side by side.
-pub struct Lanes<'a> {
-    pub now: (f32x4, f32x4),
-    pub before: (f32x4, f32x4),
-    /// How many of the four there are.
-    pub count: usize,
-    tags: &'a [u32],
-}
-
-impl Lanes<'_> {
-    /// The number and the type of the cell in a lane.
-    pub fn tag(&self, lane: usize) -> (u32, u32) {
-        let tag = self.tags[lane];
-        (tag & ((1 << TYPE_SHIFT) - 1), tag >> TYPE_SHIFT)
-    }
 }
 
 impl Near {
@@ -210,7 +198,7 @@ impl Near {
         let own = cells.rows(of.start, of.end).len();
         // The triangle's own sites bound nearly as well as all, where it has some.
         let sites = if own >= ENOUGH_SITES { own } else { self.len };
-        let whole_size = cells.bins.sizes[triangle] * cells.bins.cuts as f32;
+        let whole_size = cells.size(triangle);
         let cuts =
             ((SAMPLES_PER_SPACING * whole_size / spacing) as usize).clamp(1, MAX_SAMPLE_CUTS);
         let share = 1.0 / cuts as f32;
@@ -235,8 +223,9 @@ impl Near {
             dx * dx + dy * dy
         };
         let mut nearest = f32x4::splat(f32::INFINITY);
-        for lanes in self.lanes().take(sites / LANES) {
-            nearest = nearest.fast_min(squared(lanes.now).fast_max(squared(lanes.before)));
+        for first in (0..sites / LANES * LANES).step_by(LANES) {
+            let [now, before] = self.four(first);
+            nearest = nearest.fast_min(squared(now).fast_max(squared(before)));
         }
         let mut least = nearest.to_array().into_iter().fold(f32::INFINITY, f32::min);
         let [now_x, now_y, before_x, before_y] = &self.columns;
@@ -248,29 +237,147 @@ impl Near {
         least
     }
 
-    /// The farthest that a coordinate of a site lies from that of a point.
-    pub fn farthest(&self, centre: Vec2) -> f32 {
-        let (x, y) = (f32x4::splat(centre.x), f32x4::splat(centre.y));
-        let mut most = f32x4::ZERO;
-        for lanes in self.lanes() {
-            for v in [lanes.now.0 - x, lanes.before.0 - x, lanes.now.1 - y, lanes.before.1 - y] {
-                most = most.fast_max(v.abs());
+    /// Picks the sites whose polygons may reach into the triangle at some moment, into `picked`: first
+    /// those that come within `bound` of it, and of these the ones that are not much farther from some
+    /// part of the triangle than its nearest one. `room` is added to what the polygons need.
+    pub fn pick(&self, picked: &mut Picked, home: &Home, bound: f32, room: f32, spacing: f32) {
+        picked.clear();
+        for first in (0..self.len).step_by(LANES) {
+            let [now, before] = self.four(first);
+            let within_now = home.rim.sides(now.0, now.1, bound);
+            let within_before = home.rim.sides(before.0, before.1, bound);
+            let mut keep = ((within_now[0] | within_before[0])
+                & (within_now[1] | within_before[1])
+                & (within_now[2] | within_before[2]))
+                .to_bitmask()
+                & ((1 << (self.len - first).min(LANES)) - 1);
+            while keep != 0 {
+                picked.add(self, first + keep.trailing_zeros() as usize);
+                keep &= keep - 1;
             }
         }
-        most.to_array().into_iter().fold(0.0, f32::max)
+        picked.thin_out(home, room, spacing);
     }
 
-    /// All sites, four at a time. Lanes behind the last site repeat old ones.
-    pub fn lanes(&self) -> impl Iterator<Item = Lanes<'_>> {
-        (0..self.len).step_by(LANES).map(|k| {
-            let four = |column: usize| lanes(&self.columns[column], k);
-            Lanes {
-                now: (four(0), four(1)),
-                before: (four(2), four(3)),
-                count: (self.len - k).min(LANES),
-                tags: &self.tags[k..k + LANES],
+    /// Place now and before of a site, in centimetres, its cell's number and the index of its type.
+    fn site(&self, k: usize) -> NearSite {
+        let [now_x, now_y, before_x, before_y] = self.columns.each_ref().map(|column| column[k]);
+        NearSite {
+            now: Vec2::new(now_x, now_y),
+            before: Vec2::new(before_x, before_y),
+            cell: self.tags[k] & ((1 << TYPE_SHIFT) - 1),
+            kind: self.tags[k] >> TYPE_SHIFT,
+        }
+    }
+
+    /// The x and y now and before of four sites. Lanes behind the last site repeat old ones.
+    fn four(&self, first: usize) -> [(f32x4, f32x4); 2] {
+        let [now_x, now_y, before_x, before_y] =
+            self.columns.each_ref().map(|column| lanes(column, first));
+        [(now_x, now_y), (before_x, before_y)]
+    }
+}
+
+/// A site near a triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct NearSite {
+    /// In centimetres, in the triangle's frame.
+    pub now: Vec2,
+    pub before: Vec2,
+    pub cell: u32,
+    /// The index of its `CellType`.
+    pub kind: u32,
+}
+
+/// The triangle whose list is made.
+pub struct Home<'a> {
+    pub frame: &'a Frame,
+    pub rim: Rim,
+    /// The farthest that a corner lies from the centroid, in centimetres.
+    pub size: f32,
+}
+
+/// The sites of one list.
+#[derive(Clone, Debug, Default)]
+pub struct Picked {
+    sites: Vec<NearSite>,
+    /// The middle of each site's way, and half its length.
+    middle_x: Vec<f32>,
+    middle_y: Vec<f32>,
+    half_way: Vec<f32>,
+    distances: Vec<f32x4>,
+    keep: Vec<u32>,
+}
+
+/// Parts that a triangle is looked at in are this large, in mean spacings. Larger, and lists get
+/// longer; smaller, and looking takes longer than what is saved.
+const PART_SPACINGS: f32 = 0.4;
+const MAX_PART_CUTS: usize = 10;
+
+impl Picked {
+    /// The sites whose polygons may reach into the triangle.
+    pub fn sites(&self) -> impl Iterator<Item = &NearSite> {
+        self.sites
+            .iter()
+            .enumerate()
+            .filter_map(|(k, site)| (self.keep[k / LANES] & 1 << (k % LANES) != 0).then_some(site))
+    }
+
+    fn clear(&mut self) {
+        self.sites.clear();
+        self.middle_x.clear();
+        self.middle_y.clear();
+        self.half_way.clear();
+    }
+
+    fn add(&mut self, near: &Near, k: usize) {
+        let site = near.site(k);
+        let middle = 0.5 * (site.now + site.before);
+        self.sites.push(site);
+        self.middle_x.push(middle.x);
+        self.middle_y.push(middle.y);
+        self.half_way.push(0.5 * site.now.distance(site.before));
+    }
+
+    /// Keeps the sites that are nearest to a point of the triangle at some moment, or nearly so.
+    fn thin_out(&mut self, home: &Home, room: f32, spacing: f32) {
+        let fours = self.sites.len().div_ceil(LANES);
+        for column in [&mut self.middle_x, &mut self.middle_y, &mut self.half_way] {
+            column.resize(fours * LANES, 1e9);
+        }
+        self.keep.clear();
+        self.keep.resize(fours, 0);
+        self.distances.resize(fours, f32x4::ZERO);
+        let cuts = ((home.size / (PART_SPACINGS * spacing)) as usize + 1).min(MAX_PART_CUTS);
+        let share = 1.0 / cuts as f32;
+        let slack = 2.0 * home.size * share + room;
+        for i in 0..cuts {
+            for column in 0..2 * (cuts - i) - 1 {
+                let third = if column % 2 == 0 { 1.0 / 3.0 } else { 2.0 / 3.0 };
+                let (b1, b2) = (i as f32 + third, (column / 2) as f32 + third);
+                let centre = home.frame.point(b1 * share, b2 * share);
+                let (x, y) = (f32x4::splat(centre.x), f32x4::splat(centre.y));
+                let mut nearest = f32x4::splat(f32::INFINITY);
+                for k in 0..fours {
+                    let dx = lanes(&self.middle_x, k * LANES) - x;
+                    let dy = lanes(&self.middle_y, k * LANES) - y;
+                    let distance = (dx * dx + dy * dy).sqrt();
+                    self.distances[k] = distance;
+                    nearest = nearest.fast_min(distance + lanes(&self.half_way, k * LANES));
+                }
+                let nearest = nearest.to_array().into_iter().fold(f32::INFINITY, f32::min);
+                let reach = f32x4::splat(nearest + slack);
+                for k in 0..fours {
+                    let least = self.distances[k] - lanes(&self.half_way, k * LANES);
+                    self.keep[k] |= least.simd_le(reach).to_bitmask();
+                }
             }
-        })
+        }
+        if let (Some(last), rest) = (self.keep.last_mut(), self.sites.len() % LANES)
+            && rest > 0
+        {
+            *last &= (1 << rest) - 1;
+        }
     }
 }
 

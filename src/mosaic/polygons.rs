@@ -42,7 +42,7 @@ impl HasPosition for Site {
 /// can be cut by a site that was not found.
 const FIRST_REACH: f32 = 3.0;
 
-/// The polygons of all cells, triangle by triangle. `charts` are those of `Images::Visible`.
+/// The polygons of all cells, triangle by triangle.
 /// Triangles of a part without cells have none.
 pub fn polygons(mesh: &Mesh, charts: &mut Charts, places: &[Place]) -> Vec<Piece> {
     let mut cells_of = vec![Vec::new(); mesh.triangles.len()];

@@ -1,33 +1,42 @@
 //! For each triangle the short list of sites whose Voronoi polygons may reach into it: what a
 //! fragment shader needs to find the nearest one.
 
-use super::near::{Near, SortedCells};
-use crate::surface::{Charts, Frame, Mesh};
-use crate::tissue::{Diary, Rim};
 use glam::Vec2;
-use wide::{f32x4, i32x4};
 
-/// One candidate site of one triangle, four words as the shader reads them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+/// One candidate site of one triangle, two words as the shader reads them:
+///
+/// | bits | of the first word | of the second word |
+/// |---|---|---|
+/// | 0 to 11 | x now | y now |
+/// | 12 to 23 | x the day before | y the day before |
+/// | 24 to 31 | tag, low bits | tag, high bits |
+///
+/// Coordinates are `(value - 2048) * scale_cm` centimetres from the triangle's centroid, in its
+/// plane. A cell born since the day before was where its parent was; motion between the days is the
+/// straight line. The tag's bits, from the lowest: two for the index of the `CellType`, one that says
+/// newborn, six that tell the cell from its neighbours in the list, and seven for its lightness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct Site {
-    /// Place on the shown day in the triangle's plane: `x` in the low 16 bits, `y` in the high 16,
-    /// each `(value - 32768) * scale` centimetres from the triangle's centroid.
-    pub now: u32,
-    /// The same for the day before (for a cell born since: its parent's place). Motion between the
-    /// days is the straight line from `before` to `now`.
-    pub before: u32,
-    /// The cell's number.
-    pub cell: u32,
-    /// The index of its `CellType`.
+    pub words: [u32; 2],
+}
+
+/// What a site says of its cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tag {
     pub kind: u32,
+    pub is_newborn: bool,
+    /// Equal, but for chance, only for two images of one cell; below 64.
+    pub number: u32,
+    /// Below 128.
+    pub lightness: u32,
 }
 
 /// The list of one triangle, four words as the shader reads them.
 #[derive(Clone, Copy, Debug, PartialEq, Default, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct Head {
-    /// Index of the first site of the list, and how many there are.
+    /// Index of the first site of the list, an even number, and how many there are.
     pub first: u32,
     pub count: u32,
     /// Centimetres of one step of the packed coordinates.
@@ -35,84 +44,82 @@ pub struct Head {
     pub unused: u32,
 }
 
-/// The lists of all triangles for one day. Reuse it for the next day: it keeps its memory, and
-/// what it learnt of the distances.
-#[derive(Clone, Debug, Default)]
+/// The lists of all triangles for one day, exact for every moment between the day before and this
+/// one.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct SiteLists {
     pub heads: Vec<Head>,
+    /// An even number.
     pub sites: Vec<Site>,
-    cells: SortedCells,
-    near: Near,
-    /// How far from each triangle the sites had to be looked for the last time, in mean spacings.
-    reach: Vec<f32>,
 }
 
-/// Sites are kept this much farther out than the nearest-site bound asks for, in mean spacings:
-/// room for the drawn border between two cells.
-const BORDER_ROOM: f32 = 0.15;
+const MIDDLE: f32 = 2048.0;
+const COORDINATE: u32 = (1 << 12) - 1;
 
-/// First guess of the distance in which a triangle finds all its sites, in mean spacings.
-const FIRST_REACH: f32 = 1.8;
+/// Steps from the centroid to the farthest coordinate that fits.
+pub(super) const FARTHEST_STEPS: f32 = 2047.0;
 
 impl SiteLists {
-    /// Builds the lists of a day, exact for every moment between the day before and this one.
-    /// `charts` are those of `Images::Visible` for the mesh and serve all its days.
-    pub fn build(&mut self, mesh: &Mesh, charts: &mut Charts, diary: &Diary, day: usize) {
-        let spacing = (mesh.area / diary.days[day].places.len() as f32).sqrt();
-        self.cells.gather(mesh, charts, diary, day, spacing);
-        self.heads.clear();
-        self.sites.clear();
-        self.reach.resize(mesh.triangles.len(), FIRST_REACH);
-        for (triangle, frame) in mesh.frames.iter().enumerate() {
-            let rim = Rim::new(frame);
-            let mut reach = self.reach[triangle] * spacing;
-            let bound = loop {
-                let radius = reach + self.cells.longest_motion;
-                let images = charts.around(mesh, triangle as u32, radius);
-                self.near.gather(&self.cells, images, &rim, radius);
-                let bound =
-                    self.near.bound(&self.cells, triangle, frame, spacing) + BORDER_ROOM * spacing;
-                // On a part without cells no reach is enough.
-                if bound <= reach || reach > mesh.area {
-                    break bound;
-                }
-                reach = if bound.is_finite() { bound } else { reach * 2.0 };
-            };
-            self.reach[triangle] = (bound * 1.05 / spacing).min(8.0);
-            let head = pack(&self.near, frame, &rim, bound, &mut self.sites);
-            self.heads.push(head);
-        }
+    /// The sites of a triangle.
+    pub fn of(&self, triangle: usize) -> &[Site] {
+        let head = &self.heads[triangle];
+        &self.sites[head.first as usize..(head.first + head.count) as usize]
     }
 }
 
-/// Appends the sites that come within `bound` of a triangle, packed, to a list.
-fn pack(near: &Near, frame: &Frame, rim: &Rim, bound: f32, sites: &mut Vec<Site>) -> Head {
-    let centroid = (frame.apex + Vec2::new(frame.length, 0.0)) / 3.0;
-    let first = sites.len();
-    let scale_cm = near.farthest(centroid) / 32767.0 + f32::MIN_POSITIVE;
-    let per_cm = f32x4::splat(1.0 / scale_cm);
-    let (centre_x, centre_y) = (f32x4::splat(centroid.x), f32x4::splat(centroid.y));
-    let words = |x: f32x4, y: f32x4| {
-        let step = |v: f32x4| (v * per_cm + f32x4::splat(32768.5)).fast_trunc_int();
-        let high: i32x4 = step(y - centre_y) << 16_i32;
-        (step(x - centre_x) | high).to_array()
-    };
-    for lanes in near.lanes() {
-        let within_now = rim.sides(lanes.now.0, lanes.now.1, bound);
-        let within_before = rim.sides(lanes.before.0, lanes.before.1, bound);
-        let mut keep = ((within_now[0] | within_before[0])
-            & (within_now[1] | within_before[1])
-            & (within_now[2] | within_before[2]))
-            .to_bitmask()
-            & ((1 << lanes.count) - 1);
-        let (now, before) =
-            (words(lanes.now.0, lanes.now.1), words(lanes.before.0, lanes.before.1));
-        while keep != 0 {
-            let lane = keep.trailing_zeros() as usize;
-            keep &= keep - 1;
-            let (cell, kind) = lanes.tag(lane);
-            sites.push(Site { now: now[lane] as u32, before: before[lane] as u32, cell, kind });
+impl Site {
+    /// `now` and `before` in steps from the triangle's centroid, at most `FARTHEST_STEPS`.
+    pub(super) fn new(now: Vec2, before: Vec2, tag: Tag) -> Site {
+        let step = |v: f32| (v + MIDDLE + 0.5) as u32 & COORDINATE;
+        let tag = tag.kind
+            | u32::from(tag.is_newborn) << 2
+            | (tag.number & 63) << 3
+            | (tag.lightness & 127) << 9;
+        let word =
+            |now: f32, before: f32, tag: u32| step(now) | step(before) << 12 | (tag & 255) << 24;
+        Site { words: [word(now.x, before.x, tag), word(now.y, before.y, tag >> 8)] }
+    }
+
+    /// Place on the day of the list, in centimetres from the triangle's centroid.
+    pub fn now(&self, head: &Head) -> Vec2 {
+        self.place(head, 0)
+    }
+
+    /// Place on the day before.
+    pub fn before(&self, head: &Head) -> Vec2 {
+        self.place(head, 12)
+    }
+
+    pub fn tag(&self) -> Tag {
+        let bits = self.words[0] >> 24 | self.words[1] >> 24 << 8;
+        Tag {
+            kind: bits & 3,
+            is_newborn: bits & 4 != 0,
+            number: bits >> 3 & 63,
+            lightness: bits >> 9,
         }
     }
-    Head { first: first as u32, count: (sites.len() - first) as u32, scale_cm, unused: 0 }
+
+    fn place(&self, head: &Head, shift: u32) -> Vec2 {
+        let [x, y] =
+            self.words.map(|word| ((word >> shift & COORDINATE) as f32 - MIDDLE) * head.scale_cm);
+        Vec2::new(x, y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sites_come_back() {
+        let head = Head { scale_cm: 0.25, ..Head::default() };
+        for (kind, is_newborn, number, lightness) in [(0, true, 0, 127), (2, false, 63, 0)] {
+            let tag = Tag { kind, is_newborn, number, lightness };
+            let (now, before) = (Vec2::new(-2047.0, 17.0), Vec2::new(2047.0, -3.0));
+            let site = Site::new(now, before, tag);
+            assert_eq!((site.now(&head), site.before(&head)), (now * 0.25, before * 0.25));
+            assert_eq!(site.tag(), tag);
+        }
+    }
 }

@@ -1,8 +1,8 @@
 //! Ragged fly agaric: red spreads between the remains of the veil (Thesis, Fig. 4.14).
 
 use super::{Plant, mushroom, scatter};
-use crate::surface::{Control, ControlImage, Cylinder, Wrap};
-use crate::tissue::Recipe;
+use crate::surface::{ControlImage, Cylinder, Wrap};
+use crate::tissue::{Control, Recipe};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -68,7 +68,7 @@ impl Cap {
         });
         let (base, height) = (self.rim, self.height);
         let cylinder = Cylinder { base, axis: Vec3::Y, zero: Vec3::X, height };
-        Control { wrap: Wrap::Cylinder(cylinder), image }
+        Control::foreground(Wrap::Cylinder(cylinder), image)
     }
 
     /// A point of the dome: angle in turns; height 0 at the rim, 1 at the top.

@@ -1,8 +1,8 @@
 //! Banded cactus: yellow belts round green columns (Thesis, Fig. 4.13).
 
 use super::{Plant, cactus, rough};
-use crate::surface::{Control, ControlImage, Cylinder, Wrap};
-use crate::tissue::Recipe;
+use crate::surface::{ControlImage, Cylinder, Wrap};
+use crate::tissue::{Control, Recipe};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -35,7 +35,8 @@ const HEIGHT_CM: f32 = 40.0;
 fn belts() -> Vec<Control> {
     let base = ACROSS * 6.5;
     let cylinder = Cylinder { base, axis: Vec3::Y, zero: ACROSS, height: HEIGHT_CM };
-    vec![Control { wrap: Wrap::Cylinder(cylinder), image: ControlImage::paint(256, 256, is_belt) }]
+    let image = ControlImage::paint(256, 256, is_belt);
+    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
 }
 
 /// Whether a first cell at this angle, in turns, and height may be yellow.

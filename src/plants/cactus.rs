@@ -1,6 +1,6 @@
 //! Cactus: yellow blotches on blue-green columns (Thesis, Fig. 4.8).
 
-use super::{Look, Plant, View, scatter, spikes};
+use super::{BodyError, Look, Plant, View, scatter, spikes};
 use crate::surface::{Body, PolygonMesh};
 use crate::tissue::Recipe;
 
@@ -30,6 +30,7 @@ pub const PLANT: Plant = Plant {
         days: 25,
         // Some fifteen clones that double every few days: individuals have 8,000 to 18,000 cells.
         max_cells: 60_000,
+        ..Recipe::DEFAULT
     },
     first_day: 25,
     look: Look {
@@ -46,12 +47,14 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 14.0, zoom: 1.05 },
+    mesh: mesh_file!("cactus.obj"),
     body: grow_body,
     controls: Vec::new,
+    field: |_| None,
 };
 
-fn grow_body() -> Body {
-    let mut mesh = super::smooth(include_str!("../../meshes/cactus.obj"), |group| {
+fn grow_body(obj: &str) -> Result<Body, BodyError> {
+    let mut mesh = super::smooth(obj, |group| {
         match group.material.as_str() {
             "bare:areole" => 0,
             // About as many triangles as cells: the repulsive radius is four times the spacing, and
@@ -59,9 +62,9 @@ fn grow_body() -> Body {
             "skin" => 1,
             _ => 2,
         }
-    });
+    })?;
     raise_spines(&mut mesh);
-    super::body(&mesh)
+    Ok(Body::new(&mesh)?)
 }
 
 /// Spines of an areole: the last one stands out, the others spread around it.

@@ -1,8 +1,8 @@
 //! Croton: a shrub whose leaves turn from green to yellow in one run (Thesis, Fig. 4.3).
 
-use super::{Look, Plant, View, scatter};
-use crate::surface::{Body, Control, ControlImage, Cylinder, Wrap};
-use crate::tissue::Recipe;
+use super::{BodyError, Look, Plant, View, scatter};
+use crate::surface::{Body, ControlImage, Cylinder, Wrap};
+use crate::tissue::{Control, Recipe};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -30,6 +30,7 @@ pub const PLANT: Plant = Plant {
         days: 30,
         // Individuals have from 131,000 to 138,000 cells.
         max_cells: 160_000,
+        ..Recipe::DEFAULT
     },
     first_day: 15,
     look: Look {
@@ -46,17 +47,18 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 24.0, zoom: 1.0 },
+    mesh: mesh_file!("croton.obj"),
     body: grow_body,
     controls: young_leaves,
+    field: |_| None,
 };
 
-fn grow_body() -> Body {
-    super::body(&super::smooth(include_str!("../../meshes/croton.obj"), |group| {
-        match group.material.as_str() {
-            "bare:petiole" | "bare:soil" => 1,
-            _ => 2,
-        }
-    }))
+fn grow_body(obj: &str) -> Result<Body, BodyError> {
+    let mesh = super::smooth(obj, |group| match group.material.as_str() {
+        "bare:petiole" | "bare:soil" => 1,
+        _ => 2,
+    })?;
+    Ok(Body::new(&mesh)?)
 }
 
 /// Young leaves are greener than old ones: the higher in the shrub, the fewer first cells are left
@@ -68,5 +70,5 @@ fn young_leaves() -> Vec<Control> {
         let grain = scatter((turns * 256.0) as u32 + 256 * (height * 128.0) as u32, 0);
         grain > GREENEST_SHARE * height
     });
-    vec![Control { wrap: Wrap::Cylinder(cylinder), image }]
+    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
 }

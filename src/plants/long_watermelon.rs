@@ -1,8 +1,7 @@
 //! Long watermelon: stripes that widen with the reach of the push (Thesis, Fig. 4.16).
 
 use super::{Plant, View, watermelon};
-use crate::surface::{Body, Control};
-use crate::tissue::Recipe;
+use crate::tissue::{Control, Recipe};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -19,7 +18,7 @@ pub const PLANT: Plant = Plant {
         ..watermelon::PLANT.recipe
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 16.0, zoom: 1.08 },
-    body: grow_body,
+    mesh: mesh_file!("long_watermelon.obj"),
     controls: stripes,
     ..watermelon::PLANT
 };
@@ -29,10 +28,6 @@ pub(super) const AXIS: Vec3 = Vec3::new(0.8, 0.0, 0.6);
 pub(super) const HALF_LENGTH_CM: f32 = 18.0;
 /// So that the fruit lies on the ground.
 pub(super) const CENTRE: Vec3 = Vec3::new(0.0, 10.4, 0.0);
-
-fn grow_body() -> Body {
-    super::body(&super::smooth(include_str!("../../meshes/long_watermelon.obj"), |_| 2))
-}
 
 fn stripes() -> Vec<Control> {
     watermelon::stripes_along(AXIS, CENTRE, HALF_LENGTH_CM)

@@ -1,5 +1,16 @@
 //! The catalogue: what each plant is made of, how its cells live, and how it looks.
 
+/// A `MeshFile` by its name.
+macro_rules! mesh_file {
+    ($name:literal) => {
+        crate::plants::MeshFile {
+            name: $name,
+            #[cfg(not(target_arch = "wasm32"))]
+            text: include_str!(concat!("../../meshes/", $name)),
+        }
+    };
+}
+
 mod amanita;
 mod banded_cactus;
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -9,13 +20,15 @@ mod croton;
 mod croton_shrub;
 mod long_watermelon;
 mod mushroom;
+mod philodendron;
 mod sansevieria;
 mod spikes;
 mod square_watermelon;
 mod watermelon;
 
-use crate::surface::{Body, Control, Group, PolygonMesh};
-use crate::tissue::Recipe;
+use crate::surface::{Body, DirectionField, Group, Mesh, ObjError, PolygonMesh, SurfaceError};
+use crate::tissue::{Control, Growth, Recipe, RecipeError};
+use std::sync::Arc;
 
 /// A plant of the playground.
 #[derive(Clone, Debug)]
@@ -34,8 +47,58 @@ pub struct Plant {
     pub first_day: u32,
     pub look: Look,
     pub view: View,
-    pub body: fn() -> Body,
+    pub mesh: MeshFile,
+    /// Grows the body from the text of its mesh file.
+    pub body: fn(obj: &str) -> Result<Body, BodyError>,
     pub controls: fn() -> Vec<Control>,
+    /// The direction field of its surface, if it has one.
+    pub field: fn(&Mesh) -> Option<DirectionField>,
+}
+
+impl Plant {
+    /// Sows an individual on the plant's surface, under its control images and along its direction
+    /// field; the recipe may be another than the plant's own.
+    pub fn sow(
+        &self,
+        surface: Arc<Mesh>,
+        recipe: Recipe,
+        individual: u32,
+    ) -> Result<Growth, RecipeError> {
+        let field = (self.field)(&surface);
+        let growth = Growth::new(surface, recipe, &(self.controls)(), individual)?;
+        Ok(match field {
+            Some(field) => growth.along(field),
+            None => growth,
+        })
+    }
+}
+
+/// One of the files under `meshes/`.
+#[derive(Clone, Copy, Debug)]
+pub struct MeshFile {
+    /// `croton.obj`
+    pub name: &'static str,
+    /// What stands in it. A page loads the file of the plant that it shows instead, so that nobody
+    /// downloads them all.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub text: &'static str,
+}
+
+/// Why a text is not the mesh of a plant.
+#[derive(Debug, thiserror::Error, PartialEq)]
+pub enum BodyError {
+    #[error(transparent)]
+    Obj(#[from] ObjError),
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Plant {
+    /// The body, grown from the mesh file that this program carries.
+    pub fn embedded_body(&self) -> Body {
+        (self.body)(self.mesh.text).expect("our own meshes are sound")
+    }
 }
 
 /// Colours and materials; sRGB, 0 to 1.
@@ -67,11 +130,12 @@ pub struct View {
 
 /// All plants in the order of the chooser.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 10] = [
+    static ALL: [Plant; 11] = [
         croton::PLANT,
         cactus::PLANT,
         watermelon::PLANT,
         mushroom::PLANT,
+        philodendron::PLANT,
         sansevieria::PLANT,
         square_watermelon::PLANT,
         croton_shrub::PLANT,
@@ -87,13 +151,9 @@ pub fn find(key: &str) -> Option<&'static Plant> {
     all().iter().find(|plant| plant.key == key)
 }
 
-/// One of our own mesh files, each group refined so many times.
-fn smooth(obj: &str, levels: impl Fn(&Group) -> u32) -> PolygonMesh {
-    PolygonMesh::parse(obj).expect("our own meshes are well formed").refined_by(levels)
-}
-
-fn body(mesh: &PolygonMesh) -> Body {
-    Body::new(mesh).expect("our own meshes have a surface")
+/// The mesh of a text, each group refined so many times.
+fn smooth(obj: &str, levels: impl Fn(&Group) -> u32) -> Result<PolygonMesh, BodyError> {
+    Ok(PolygonMesh::parse(obj)?.refined_by(levels))
 }
 
 /// A number from 0 to 1 that is always the same for the same place: irregularity that belongs to
@@ -118,13 +178,19 @@ fn rough(at: f32, item: u32, purpose: u32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::{Cylinder, Mesh, NO_TWIN, Place, Tone, Wrap};
-    use crate::tissue::{Growth, Progress};
+    use crate::surface::{Cylinder, NO_TWIN, Place, Wrap};
+    use crate::tissue::CellType::{self, Foreground};
+    use crate::tissue::Progress;
     use glam::Vec3;
-    use std::sync::Arc;
 
     fn surface(key: &str) -> Mesh {
-        (find(key).unwrap().body)().surface
+        find(key).unwrap().embedded_body().surface
+    }
+
+    /// What becomes of a first F cell in the middle of a triangle.
+    fn first_type(mesh: &Mesh, controls: &[Control], triangle: u32) -> CellType {
+        let centre = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
+        controls.iter().fold(Foreground, |kind, c| c.first_type(mesh, centre, kind))
     }
 
     #[test]
@@ -133,7 +199,7 @@ mod tests {
             assert!(std::ptr::eq(find(plant.key).unwrap(), plant));
             plant.recipe.check().unwrap();
             assert!(plant.first_day <= plant.recipe.days, "{}", plant.key);
-            let body = (plant.body)();
+            let body = plant.embedded_body();
             body.surface.check().unwrap();
             let triangles = body.surface.triangles.len();
             assert!((3_500..=16_000).contains(&triangles), "{}: {triangles}", plant.key);
@@ -148,7 +214,7 @@ mod tests {
     #[test]
     fn triangles_are_of_like_size_and_no_slivers() {
         for plant in all() {
-            let mesh = (plant.body)().surface;
+            let mesh = plant.embedded_body().surface;
             let mut areas = mesh.areas.clone();
             areas.sort_by(f32::total_cmp);
             let at = |share: f32| areas[(share * (areas.len() - 1) as f32) as usize];
@@ -168,7 +234,7 @@ mod tests {
     #[test]
     fn every_plant_stands_on_the_ground() {
         for plant in all() {
-            let body = (plant.body)();
+            let body = plant.embedded_body();
             let bare = body.ornaments.iter().flat_map(|part| &part.positions);
             let lowest = body.surface.positions.iter().chain(bare).map(|p| p.y).fold(9.0, f32::min);
             assert!((-0.15..0.1).contains(&lowest), "{}: {lowest}", plant.key);
@@ -181,6 +247,7 @@ mod tests {
             ("croton", 18, false),
             ("cactus", 2, false),
             ("mushroom", 2, false),
+            ("philodendron", 6, false),
             ("sansevieria", 6, false),
             ("watermelon", 1, true),
             ("square-watermelon", 1, true),
@@ -208,30 +275,32 @@ mod tests {
     fn a_snake_plant_has_clean_margins_and_bands_within() {
         let mesh = surface("sansevieria");
         let controls = (find("sansevieria").unwrap().controls)();
-        let mut by_tone = [0.0; 3];
+        let mut shares = [0.0; 3];
         for triangle in 0..mesh.triangles.len() as u32 {
-            let tone = controls[0].tone(&mesh, Place { triangle, b1: 0.33, b2: 0.33 });
-            by_tone[tone as usize] += mesh.areas[triangle as usize] / mesh.area;
+            let kind = first_type(&mesh, &controls, triangle);
+            shares[kind as usize] += mesh.areas[triangle as usize] / mesh.area;
             // No leaf coordinate of one leaf lies on another's place in the image.
             let corners = mesh.triangles[triangle as usize].map(|v| mesh.uvs[v as usize].x);
             let place = mesh.parts[triangle as usize] as f32;
             assert!(corners.iter().all(|x| (-1e-4..1.0001).contains(&(5.0 * (x + 1.0) - place))));
         }
-        let expected = [0.43, 0.3, 0.27];
-        assert!(by_tone.iter().zip(expected).all(|(a, b)| (a - b).abs() < 0.04), "{by_tone:?}");
+        let expected = [0.27, 0.43, 0.3];
+        assert!(shares.iter().zip(expected).all(|(a, b)| (a - b).abs() < 0.04), "{shares:?}");
     }
 
     #[test]
     fn leaves_know_their_midrib_and_rims() {
-        let mesh = surface("croton");
-        assert_eq!(mesh.uvs.len(), mesh.positions.len());
-        assert!(mesh.uvs.iter().all(|uv| uv.x.abs() <= 1.0 && (0.0..=1.0).contains(&uv.y)));
-        // On the upper side of a blade the texture is not mirrored.
-        let along = |t: usize| {
-            let [a, b, c] = mesh.triangles[t].map(|v| mesh.uvs[v as usize]);
-            (b - a).perp_dot(c - a) > 0.0
-        };
-        assert!((0..mesh.triangles.len()).all(along));
+        for key in ["croton", "philodendron"] {
+            let mesh = surface(key);
+            assert_eq!(mesh.uvs.len(), mesh.positions.len());
+            assert!(mesh.uvs.iter().all(|uv| uv.x.abs() <= 1.0 && (0.0..=1.0).contains(&uv.y)));
+            // On the upper side of a blade the texture is not mirrored.
+            let along = |t: usize| {
+                let [a, b, c] = mesh.triangles[t].map(|v| mesh.uvs[v as usize]);
+                (b - a).perp_dot(c - a) > 0.0
+            };
+            assert!((0..mesh.triangles.len()).all(along), "{key}");
+        }
     }
 
     #[test]
@@ -240,6 +309,7 @@ mod tests {
             ("croton", 0.7),
             ("watermelon", 0.36),
             ("mushroom", 0.9),
+            ("philodendron", 0.4),
             ("square-watermelon", 0.36),
             ("long-watermelon", 0.36),
             ("banded-cactus", 0.5),
@@ -253,10 +323,8 @@ mod tests {
                 assert!((zero.length() - 1.0).abs() < 1e-6);
                 assert!(axis.dot(zero).abs() < 1e-6);
             }
-            let centroid = |triangle| Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
-            let is_white = |t| controls.iter().all(|c| c.tone(&mesh, centroid(t)) == Tone::White);
             let allowed: f32 = (0..mesh.triangles.len() as u32)
-                .filter(|&t| is_white(t))
+                .filter(|&t| first_type(&mesh, &controls, t) == Foreground)
                 .map(|t| mesh.areas[t as usize])
                 .sum();
             let share = allowed / mesh.area;
@@ -268,8 +336,8 @@ mod tests {
     fn walks_on_our_meshes_are_never_caught() {
         for plant in all() {
             let recipe = Recipe { days: 1, ..plant.recipe.clone() };
-            let mesh = Arc::new((plant.body)().surface);
-            let mut growth = Growth::new(mesh, recipe, &(plant.controls)(), 1).unwrap();
+            let mesh = Arc::new(plant.embedded_body().surface);
+            let mut growth = plant.sow(mesh, recipe, 1).unwrap();
             while growth.step() != Progress::Done {}
             assert_eq!(growth.caught_walks(), 0, "{}", plant.key);
         }

@@ -1,8 +1,8 @@
 //! Fly agaric: white warts on a red cap (Thesis, Fig. 4.15).
 
-use super::{Look, Plant, View, scatter, spikes};
-use crate::surface::{Body, Control, ControlImage, Cylinder, PolygonMesh, Wrap};
-use crate::tissue::Recipe;
+use super::{BodyError, Look, Plant, View, scatter, spikes};
+use crate::surface::{Body, ControlImage, Cylinder, PolygonMesh, Wrap};
+use crate::tissue::{Control, Recipe};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -32,6 +32,7 @@ pub const PLANT: Plant = Plant {
         days: 20,
         // Individuals have from 26,000 to 27,000 cells.
         max_cells: 60_000,
+        ..Recipe::DEFAULT
     },
     first_day: 20,
     look: Look {
@@ -50,12 +51,14 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 15.0, zoom: 1.08 },
+    mesh: mesh_file!("mushroom.obj"),
     body: grow_body,
     controls: warts,
+    field: |_| None,
 };
 
-fn grow_body() -> Body {
-    let mut mesh = super::smooth(include_str!("../../meshes/mushroom.obj"), |group| {
+fn grow_body(obj: &str) -> Result<Body, BodyError> {
+    let mut mesh = super::smooth(obj, |group| {
         match group.part.as_str() {
             // About as many triangles as first cells: finer, and the wide repulsive radius has far
             // more of them to unfold around each cell.
@@ -63,9 +66,9 @@ fn grow_body() -> Body {
             "lamellae" | "volva" => 1,
             _ => 2,
         }
-    });
+    })?;
     grow_moss(&mut mesh);
-    super::body(&mesh)
+    Ok(Body::new(&mesh)?)
 }
 
 /// Short shoots all over the moss cushion.
@@ -94,5 +97,5 @@ fn warts() -> Vec<Control> {
         let grain = scatter((turns * 256.0) as u32 + 256 * (height * 128.0) as u32, 0);
         grain > WHITE_AT_THE_TOP * height
     });
-    vec![Control { wrap: Wrap::Cylinder(cylinder), image }]
+    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
 }

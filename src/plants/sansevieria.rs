@@ -1,8 +1,8 @@
 //! Snake plant: yellow margins round a banded green middle (Thesis, Fig. 4.19).
 
-use super::{Look, Plant, View, rough, scatter};
-use crate::surface::{Body, Control, ControlImage, Tone, Wrap};
-use crate::tissue::Recipe;
+use super::{BodyError, Look, Plant, View, rough, scatter};
+use crate::surface::{Body, ControlImage, Wrap};
+use crate::tissue::{CellType, Control, Recipe, Use};
 
 pub const PLANT: Plant = Plant {
     key: "sansevieria",
@@ -31,6 +31,7 @@ pub const PLANT: Plant = Plant {
         days: 15,
         // Individuals have about 39,000 cells.
         max_cells: 60_000,
+        ..Recipe::DEFAULT
     },
     first_day: 15,
     look: Look {
@@ -42,8 +43,10 @@ pub const PLANT: Plant = Plant {
         bare: &[("pot", [0.66, 0.36, 0.24], 0.08), ("soil", [0.2, 0.15, 0.11], 0.0)],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 14.0, zoom: 0.97 },
+    mesh: mesh_file!("sansevieria.obj"),
     body: grow_body,
     controls: margins_and_bands,
+    field: |_| None,
 };
 
 /// The leaf coordinates of all leaves lie side by side, as in an atlas, so that each leaf has bands
@@ -69,27 +72,38 @@ fn smooth_step(t: f32) -> f32 {
     t * t * (3.0 - 2.0 * t)
 }
 
-fn grow_body() -> Body {
-    super::body(&super::smooth(include_str!("../../meshes/sansevieria.obj"), |_| 2))
+fn grow_body(obj: &str) -> Result<Body, BodyError> {
+    Ok(Body::new(&super::smooth(obj, |_| 2)?)?)
 }
 
-/// White along the rims, and within them grey bands on black.
+/// F along the rims alone, instead of it M; and M in bands alone, instead of it B.
 fn margins_and_bands() -> Vec<Control> {
-    let image = ControlImage::paint(1280, 256, |turns, t| {
+    let margins = atlas(|leaf, across, up| {
+        (1.0 - across.abs()) * half_width_cm(LENGTHS_CM[leaf], up) < MARGIN_CM
+    });
+    let bands = atlas(|leaf, across, up| {
+        let length_cm = LENGTHS_CM[leaf];
+        is_band(across * half_width_cm(length_cm, up), up * length_cm, leaf as u32)
+    });
+    let first_cells = |image, of, instead| Control {
+        wrap: Wrap::Leaf,
+        image,
+        use_as: Use::FirstCells { of, instead },
+    };
+    vec![
+        first_cells(margins, CellType::Foreground, CellType::Middle),
+        first_cells(bands, CellType::Middle, CellType::Background),
+    ]
+}
+
+/// Paints the leaves side by side from a rule: `is_white(leaf, across, up)`, across from -1 at the
+/// left rim to 1 at the right, up from 0 in the soil to 1 at the tip.
+fn atlas(is_white: impl Fn(usize, f32, f32) -> bool) -> ControlImage {
+    ControlImage::paint(1280, 256, |turns, up| {
         let place = turns * ATLAS_PLACES as f32;
         let leaf = (place as usize).min(LENGTHS_CM.len() - 1);
-        let length_cm = LENGTHS_CM[leaf];
-        let x = 2.0 * (place - leaf as f32) - 1.0;
-        let half_width = half_width_cm(length_cm, t);
-        if (1.0 - x.abs()) * half_width < MARGIN_CM {
-            Tone::White
-        } else if is_band(x * half_width, t * length_cm, leaf as u32) {
-            Tone::Grey
-        } else {
-            Tone::Black
-        }
-    });
-    vec![Control { wrap: Wrap::Leaf, image }]
+        is_white(leaf, 2.0 * (place - leaf as f32) - 1.0, up)
+    })
 }
 
 /// Whether a band crosses the blade here: so far across from the midrib and up from the soil.

@@ -1,7 +1,8 @@
 //! Square watermelon: the stripes of the round one, over the edges of a cube (Thesis, Fig. 4.18).
 
 use super::{Plant, View, watermelon};
-use crate::surface::{Body, Control, ControlImage, Cylinder, Wrap};
+use crate::surface::{ControlImage, Cylinder, Wrap};
+use crate::tissue::Control;
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -10,7 +11,7 @@ pub const PLANT: Plant = Plant {
     // Its recipe is that of Fig. 4.17, number by number: only the body differs.
     source: "Thesis, Fig. 4.18",
     view: View { azimuth_deg: 33.0, elevation_deg: 24.0, zoom: 0.96 },
-    body: grow_body,
+    mesh: mesh_file!("square_watermelon.obj"),
     controls: stripes,
     ..watermelon::PLANT
 };
@@ -21,10 +22,6 @@ pub(super) const HALF_SIDE_CM: f32 = 9.0;
 /// control image for jagged stripes, with 1 it is no cube any more.
 pub(super) const BULGE_CM: f32 = 0.55;
 
-fn grow_body() -> Body {
-    super::body(&super::smooth(include_str!("../../meshes/square_watermelon.obj"), |_| 2))
-}
-
 /// Dark stripes that leave the stem on the upper face, bend over its edges and run down the sides.
 fn stripes() -> Vec<Control> {
     let height = 2.0 * HALF_SIDE_CM + BULGE_CM;
@@ -32,7 +29,7 @@ fn stripes() -> Vec<Control> {
     let image = ControlImage::paint(512, 512, |turns, share| {
         watermelon::is_stripe(around(turns), along(share * height))
     });
-    vec![Control { wrap: Wrap::Cylinder(cylinder), image }]
+    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
 }
 
 /// The share of the way around a square that an angle, in turns, has gone: stripes keep their width

@@ -1,8 +1,8 @@
 //! Watermelon: dark jagged stripes from end to end (Thesis, Fig. 4.17).
 
-use super::{Look, Plant, View, rough};
-use crate::surface::{Body, Control, ControlImage, Cylinder, Wrap};
-use crate::tissue::Recipe;
+use super::{BodyError, Look, Plant, View, rough};
+use crate::surface::{Body, ControlImage, Cylinder, Wrap};
+use crate::tissue::{Control, Recipe};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -30,6 +30,7 @@ pub const PLANT: Plant = Plant {
         days: 20,
         // Individuals have from 64,000 to 68,000 cells.
         max_cells: 100_000,
+        ..Recipe::DEFAULT
     },
     first_day: 20,
     look: Look {
@@ -41,8 +42,10 @@ pub const PLANT: Plant = Plant {
         bare: &[("stem", [0.54, 0.478, 0.333], 0.05), ("scar", [0.5, 0.4, 0.28], 0.0)],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 16.0, zoom: 1.0 },
+    mesh: mesh_file!("watermelon.obj"),
     body: grow_body,
     controls: stripes,
+    field: |_| None,
 };
 
 /// Towards the stem end; of unit length.
@@ -53,8 +56,8 @@ pub(super) const CENTRE: Vec3 = Vec3::new(0.0, 12.3, 0.0);
 
 const STRIPES: u32 = 11;
 
-fn grow_body() -> Body {
-    super::body(&super::smooth(include_str!("../../meshes/watermelon.obj"), |_| 2))
+fn grow_body(obj: &str) -> Result<Body, BodyError> {
+    Ok(Body::new(&super::smooth(obj, |_| 2)?)?)
 }
 
 fn stripes() -> Vec<Control> {
@@ -70,7 +73,7 @@ pub(super) fn stripes_along(axis: Vec3, centre: Vec3, half_length_cm: f32) -> Ve
         height: 2.0 * half_length_cm,
     };
     let image = ControlImage::paint(512, 256, is_stripe);
-    vec![Control { wrap: Wrap::Cylinder(cylinder), image }]
+    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
 }
 
 /// Whether a first cell at this angle, in turns, and height may be dark.

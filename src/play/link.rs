@@ -56,7 +56,7 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
                 "There is no plant called “{}” here (there are {}): the {} stands in.",
                 shortened(name),
                 known.join(", "),
-                plants[0].name.to_lowercase()
+                plants[0].name.to_ascii_lowercase()
             ));
         }
         &plants[0]

@@ -4,6 +4,7 @@
 pub mod camera;
 mod history;
 pub mod link;
+mod meshes;
 pub mod page;
 pub mod parameters;
 pub mod playhead;

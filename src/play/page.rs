@@ -5,6 +5,7 @@
 use super::camera::Camera;
 use super::history::{Change, History};
 use super::link;
+use super::meshes::Meshes;
 use super::parameters::Parameter;
 use super::playhead::Playhead;
 use super::protocol::{BUILD, ToPage, ToWorker};
@@ -62,6 +63,11 @@ pub enum Event {
     /// Time has passed, in seconds.
     Tick(f64),
     FromWorker(ToPage),
+    /// A mesh file came, or why it cannot.
+    Mesh {
+        name: &'static str,
+        text: Result<String, String>,
+    },
     /// There is no worker, and why.
     WorkerLost(String),
     /// What `shown` says is on the screen.
@@ -74,6 +80,8 @@ pub enum Event {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Effect {
     Post(ToWorker),
+    /// Load a mesh file: `Event::Mesh` is to follow.
+    LoadMesh(&'static str),
     /// The worker is of another build: load the page again, once.
     Reload,
     /// The address of what is shown, without `#`.
@@ -128,6 +136,7 @@ pub struct Page {
     shown: Shown,
     drawn: Option<Shown>,
     worker_listens: bool,
+    meshes: Meshes,
     broken: bool,
     less_motion: bool,
     written: String,
@@ -148,6 +157,7 @@ impl Page {
             shown: bare(&scene),
             drawn: None,
             worker_listens: false,
+            meshes: Meshes::default(),
             broken: false,
             less_motion: false,
             written: String::new(),
@@ -155,6 +165,7 @@ impl Page {
             scene,
         };
         let mut effects = vec![Effect::Tell(opened.left_out)];
+        page.wish(&mut effects);
         page.settle(&mut effects);
         (page, effects)
     }
@@ -195,6 +206,11 @@ impl Page {
         &self.shown
     }
 
+    /// The text of the mesh file of the plant, once the worker has it.
+    pub fn mesh(&self) -> Option<&str> {
+        self.meshes.text(self.scene.plant.mesh.name)
+    }
+
     /// What is on the screen now.
     pub fn drawn(&self) -> Option<&Shown> {
         self.drawn.as_ref()
@@ -218,7 +234,7 @@ impl Page {
     }
 
     pub fn state(&self) -> State {
-        if self.broken || matches!(self.run.end, Some(End::Failed(_))) {
+        if self.broken || matches!(self.run.end, Some(End::Failed)) {
             return State::Error;
         }
         let Some(Shown { generation, day: Some(day), .. }) = &self.drawn else {
@@ -316,6 +332,15 @@ impl Page {
                 self.camera.advance(seconds as f32);
             }
             Event::FromWorker(answer) => self.listen(answer, effects),
+            Event::Mesh { name, text } => {
+                let why = self.meshes.take(name, text);
+                if self.run.scene.plant.mesh.name == name {
+                    match why {
+                        None => self.wish(effects),
+                        Some(why) => self.fail(words::no_mesh(self.run.scene.plant, &why), effects),
+                    }
+                }
+            }
             Event::WorkerLost(why) => {
                 self.broken = true;
                 effects.push(Effect::Tell(vec![why]));
@@ -334,7 +359,7 @@ impl Page {
             ToPage::Hello { build } if build != BUILD => effects.push(Effect::Reload),
             ToPage::Hello { .. } => {
                 self.worker_listens = true;
-                effects.push(self.wish());
+                self.wish(effects);
             }
             ToPage::Day(news) => {
                 let first = self.run.newest().is_none();
@@ -354,8 +379,7 @@ impl Page {
                 self.stay_within_grown();
             }
             ToPage::Failed { generation, text } if generation == current => {
-                effects.push(Effect::Tell(vec![format!("This cannot be grown: {text}.")]));
-                self.run.end = Some(End::Failed(text));
+                self.fail(format!("This cannot be grown: {text}."), effects);
             }
             ToPage::Full { .. } | ToPage::Done { .. } | ToPage::Failed { .. } => {}
         }
@@ -385,16 +409,26 @@ impl Page {
         } else {
             self.playhead.restart(scene.day);
             self.run = Run::new(self.run.generation + 1, scene.clone());
-            if self.worker_listens {
-                effects.push(self.wish());
-            }
+            self.wish(effects);
         }
         self.scene = scene;
     }
 
-    fn wish(&self) -> Effect {
+    /// Asks for what grows, as soon as there are a mesh and a worker for it.
+    fn wish(&mut self, effects: &mut Vec<Effect>) {
         let Run { generation, scene, .. } = &self.run;
-        Effect::Post(ToWorker::Grow { generation: *generation, link: link::write(scene) })
+        let has_mesh = self.meshes.provide(scene.plant.mesh.name, self.worker_listens, effects);
+        if has_mesh && self.worker_listens {
+            let (generation, link) = (*generation, link::write(scene));
+            self.run.end = None;
+            effects.push(Effect::Post(ToWorker::Grow { generation, link }));
+        }
+    }
+
+    /// What is wished cannot be: the text says why.
+    fn fail(&mut self, text: String, effects: &mut Vec<Effect>) {
+        effects.push(Effect::Tell(vec![text]));
+        self.run.end = Some(End::Failed);
     }
 
     /// Decides what is to be on the screen. While nothing of a new growth has come, the picture

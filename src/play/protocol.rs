@@ -1,8 +1,9 @@
 //! What page and worker say to each other, and how it is written in 32-bit words. The worker speaks
 //! first, with its version; then the page asks for growths, and the worker answers day by day.
 
-use crate::surface::Place;
-use crate::tissue::{CellType, Lineage};
+use super::run::DayFacts;
+use crate::mosaic::{Head, Site, SiteLists};
+use crate::tissue::DayCount;
 
 /// The build that page and worker must share: a hash of all sources.
 pub const BUILD: &str = env!("MOSAIC_BUILD");
@@ -10,6 +11,8 @@ pub const BUILD: &str = env!("MOSAIC_BUILD");
 /// From the page to the worker.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ToWorker {
+    /// What stands in a mesh file: comes before the first wish that needs it.
+    Mesh { name: String, text: String },
     /// Grow the scene of a link; whatever grew before stops. Every answer carries the number.
     Grow { generation: u32, link: String },
 }
@@ -42,13 +45,9 @@ pub enum ToPage {
 pub struct DayNews {
     pub generation: u32,
     pub day: u32,
-    /// In centimetres.
-    pub repulsive_radius: f32,
-    pub fingerprint: String,
-    /// Of all cells of the day.
-    pub places: Vec<Place>,
-    /// Of the cells that were not there the day before: the last ones of `places`.
-    pub newborn: Vec<Lineage>,
+    pub facts: DayFacts,
+    /// What is drawn of the day.
+    pub lists: SiteLists,
 }
 
 /// Why words are no message.
@@ -62,18 +61,29 @@ const DAY: u32 = 3;
 const FULL: u32 = 4;
 const DONE: u32 = 5;
 const FAILED: u32 = 6;
+const MESH: u32 = 7;
 
 impl ToWorker {
     pub fn to_words(&self) -> Vec<u32> {
-        let ToWorker::Grow { generation, link } = self;
-        let mut words = vec![GROW, *generation];
-        push_text(&mut words, link);
+        let mut words;
+        match self {
+            ToWorker::Mesh { name, text } => {
+                words = vec![MESH];
+                push_text(&mut words, name);
+                push_text(&mut words, text);
+            }
+            ToWorker::Grow { generation, link } => {
+                words = vec![GROW, *generation];
+                push_text(&mut words, link);
+            }
+        }
         words
     }
 
     pub fn from_words(words: &[u32]) -> Result<ToWorker, ProtocolError> {
         let mut reader = Reader(words);
         let message = match reader.word()? {
+            MESH => ToWorker::Mesh { name: reader.text()?, text: reader.text()? },
             GROW => ToWorker::Grow { generation: reader.word()?, link: reader.text()? },
             _ => return Err(ProtocolError),
         };
@@ -89,15 +99,15 @@ impl ToPage {
                 push_text(&mut words, build);
                 words
             }
-            ToPage::Day(news) => {
-                let (cells, newborn) = (news.places.len(), news.newborn.len());
-                let mut words = Vec::with_capacity(16 + 3 * cells + 4 * newborn);
-                words.extend([DAY, news.generation, news.day, news.repulsive_radius.to_bits()]);
-                push_text(&mut words, &news.fingerprint);
-                words.extend([cells as u32, newborn as u32]);
-                words.extend_from_slice(bytemuck::cast_slice(&news.places));
-                for cell in &news.newborn {
-                    words.extend([cell.parent, cell.founder, cell.born_day, cell.kind as u32]);
+            ToPage::Day(DayNews { generation, day, facts, lists }) => {
+                let (heads, sites) = (words_of(&lists.heads), words_of(&lists.sites));
+                let mut words = Vec::with_capacity(16 + heads.len() + sites.len());
+                words.extend([DAY, *generation, *day, facts.count.cells]);
+                words.extend(facts.count.by_type);
+                push_text(&mut words, &facts.fingerprint);
+                for part in [heads, sites] {
+                    words.push(part.len() as u32);
+                    words.extend_from_slice(part);
                 }
                 words
             }
@@ -135,6 +145,10 @@ fn push_text(words: &mut Vec<u32>, text: &str) {
     }));
 }
 
+fn words_of<T: bytemuck::Pod>(records: &[T]) -> &[u32] {
+    bytemuck::cast_slice(records)
+}
+
 struct Reader<'a>(&'a [u32]);
 
 impl<'a> Reader<'a> {
@@ -157,22 +171,20 @@ impl<'a> Reader<'a> {
     }
 
     fn day(&mut self) -> Result<DayNews, ProtocolError> {
-        let generation = self.word()?;
-        let day = self.word()?;
-        let repulsive_radius = f32::from_bits(self.word()?);
+        let (generation, day) = (self.word()?, self.word()?);
+        let cells = self.word()?;
+        let by_type = [self.word()?, self.word()?, self.word()?];
         let fingerprint = self.text()?;
-        let (cells, newborn) = (self.word()? as usize, self.word()? as usize);
-        let places = self.words(cells.checked_mul(3).ok_or(ProtocolError)?)?;
-        let places = bytemuck::cast_slice(places).to_vec();
-        let newborn = self
-            .words(newborn.checked_mul(4).ok_or(ProtocolError)?)?
-            .chunks_exact(4)
-            .map(|w| {
-                let kind = CellType::ALL.get(w[3] as usize).copied().ok_or(ProtocolError)?;
-                Ok(Lineage { parent: w[0], founder: w[1], born_day: w[2], kind })
-            })
-            .collect::<Result<Vec<_>, _>>()?;
-        Ok(DayNews { generation, day, repulsive_radius, fingerprint, places, newborn })
+        let heads: Vec<Head> = self.records()?;
+        let sites: Vec<Site> = self.records()?;
+        let facts = DayFacts { count: DayCount { cells, by_type }, fingerprint };
+        Ok(DayNews { generation, day, facts, lists: SiteLists { heads, sites } })
+    }
+
+    fn records<T: bytemuck::Pod>(&mut self) -> Result<Vec<T>, ProtocolError> {
+        let length = self.word()? as usize;
+        let words = self.words(length)?;
+        bytemuck::try_cast_slice(words).map(<[T]>::to_vec).map_err(|_| ProtocolError)
     }
 
     fn end<T>(&self, message: T) -> Result<T, ProtocolError> {
@@ -185,21 +197,16 @@ mod tests {
     use super::*;
 
     fn answers() -> Vec<ToPage> {
-        let place = |triangle| Place { triangle, b1: 0.25, b2: 0.5 };
+        let count = DayCount { cells: 2, by_type: [0, 2, 0] };
+        let head = Head { first: 0, count: 2, scale_cm: 0.125, unused: 0 };
+        let site = |word| Site { words: [word, word + 1] };
         vec![
             ToPage::Hello { build: "ünïcode 123".to_string() },
             ToPage::Day(DayNews {
                 generation: 7,
                 day: 3,
-                repulsive_radius: 0.125,
-                fingerprint: "k3v9qa".to_string(),
-                places: vec![place(5), place(6)],
-                newborn: vec![Lineage {
-                    parent: 0,
-                    founder: 0,
-                    born_day: 3,
-                    kind: CellType::Background,
-                }],
+                facts: DayFacts { count, fingerprint: "k3v9qa".to_string() },
+                lists: SiteLists { heads: vec![head], sites: vec![site(5), site(u32::MAX - 1)] },
             }),
             ToPage::Full { generation: 1 },
             ToPage::Done { generation: 2 },
@@ -212,8 +219,12 @@ mod tests {
         for message in answers() {
             assert_eq!(ToPage::from_words(&message.to_words()), Ok(message));
         }
-        let wish = ToWorker::Grow { generation: 4, link: "leaf?v=1&s=2&d=3".to_string() };
-        assert_eq!(ToWorker::from_words(&wish.to_words()), Ok(wish));
+        for wish in [
+            ToWorker::Mesh { name: "leaf.obj".to_string(), text: "f 1 2 3".to_string() },
+            ToWorker::Grow { generation: 4, link: "leaf?v=1&s=2&d=3".to_string() },
+        ] {
+            assert_eq!(ToWorker::from_words(&wish.to_words()), Ok(wish));
+        }
     }
 
     #[test]
@@ -227,6 +238,9 @@ mod tests {
         }
         assert_eq!(ToPage::from_words(&[99]), Err(ProtocolError));
         assert_eq!(ToPage::from_words(&[HELLO, u32::MAX]), Err(ProtocolError));
-        assert_eq!(ToPage::from_words(&[DAY, 0, 0, 0, 0, u32::MAX, u32::MAX]), Err(ProtocolError));
+        let endless = [DAY, 0, 0, 0, 0, 0, 0, 0, u32::MAX];
+        assert_eq!(ToPage::from_words(&endless), Err(ProtocolError));
+        let half_a_site = [DAY, 0, 0, 0, 0, 0, 0, 0, 0, 1, 5];
+        assert_eq!(ToPage::from_words(&half_a_site), Err(ProtocolError));
     }
 }

@@ -2,7 +2,8 @@
 
 use super::Scene;
 use super::protocol::DayNews;
-use crate::tissue::{Day, DayCount, Diary};
+use crate::mosaic::SiteLists;
+use crate::tissue::DayCount;
 
 /// A growth as the page knows it.
 #[derive(Debug)]
@@ -11,9 +12,8 @@ pub struct Run {
     pub generation: u32,
     /// The scene that grows, as it was asked for.
     pub scene: Scene,
-    pub diary: Diary,
-    /// Population and fingerprint of each day.
-    facts: Vec<DayFacts>,
+    /// What is told and what is drawn of each day.
+    days: Vec<(DayFacts, SiteLists)>,
     pub end: Option<End>,
 }
 
@@ -30,35 +30,24 @@ pub enum End {
     Done,
     /// At the population cap.
     Full,
-    Failed(String),
+    Failed,
 }
 
 impl Run {
     pub fn new(generation: u32, scene: Scene) -> Run {
-        Run { generation, scene, diary: Diary::default(), facts: Vec::new(), end: None }
+        Run { generation, scene, days: Vec::new(), end: None }
     }
 
     /// Adds the next day. News out of turn are passed over: they cannot come from our own worker.
     pub fn add(&mut self, news: DayNews) {
-        let before = self.diary.lineage.len();
-        let in_turn = news.generation == self.generation && news.day as usize == self.facts.len();
-        if !in_turn || news.places.len() != before + news.newborn.len() {
-            return;
+        if news.generation == self.generation && news.day as usize == self.days.len() {
+            self.days.push((news.facts, news.lists));
         }
-        let mut by_type = self.facts.last().map_or([0; 3], |f| f.count.by_type);
-        for cell in &news.newborn {
-            by_type[cell.kind as usize] += 1;
-        }
-        let count = DayCount { cells: news.places.len() as u32, by_type };
-        self.facts.push(DayFacts { count, fingerprint: news.fingerprint });
-        self.diary.lineage.extend(news.newborn);
-        let repulsive_radius = news.repulsive_radius;
-        self.diary.days.push(Day { places: news.places, repulsive_radius });
     }
 
     /// The newest day that is held.
     pub fn newest(&self) -> Option<u32> {
-        self.facts.len().checked_sub(1).map(|d| d as u32)
+        self.days.len().checked_sub(1).map(|d| d as u32)
     }
 
     /// The last day that there is or will be.
@@ -70,6 +59,10 @@ impl Run {
     }
 
     pub fn facts(&self, day: u32) -> Option<&DayFacts> {
-        self.facts.get(day as usize)
+        self.days.get(day as usize).map(|(facts, _)| facts)
+    }
+
+    pub fn lists(&self, day: u32) -> Option<&SiteLists> {
+        self.days.get(day as usize).map(|(_, lists)| lists)
     }
 }

@@ -1,6 +1,6 @@
 //! Small plants for the tests of this room, so that they need no catalogue and grow in no time.
 
-use crate::plants::{Look, Plant, View};
+use crate::plants::{BodyError, Look, MeshFile, Plant, View};
 use crate::surface::{Body, Face, PolygonMesh};
 use crate::tissue::Recipe;
 use glam::Vec3;
@@ -27,6 +27,7 @@ const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
             relaxations_per_day: 2,
             days,
             max_cells: 100_000,
+            ..Recipe::DEFAULT
         },
         first_day: 3,
         look: Look {
@@ -38,13 +39,15 @@ const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
             bare: &[],
         },
         view: View { azimuth_deg: 0.0, elevation_deg: 20.0, zoom: 1.0 },
+        mesh: MeshFile { name: key, text: "" },
         body: sheet,
         controls: Vec::new,
+        field: |_| None,
     }
 }
 
 /// A square of 4 by 4 centimetres in 32 triangles.
-fn sheet() -> Body {
+fn sheet(_: &str) -> Result<Body, BodyError> {
     let positions = (0..25).map(|k| Vec3::new((k % 5) as f32, 1.0, -((k / 5) as f32))).collect();
     let corner = |k: u32| (k % 4) + 5 * (k / 4);
     let faces = (0..16)
@@ -52,5 +55,5 @@ fn sheet() -> Body {
         .map(|v| Face { vertices: vec![v, v + 1, v + 6, v + 5], group: 0 })
         .collect();
     let polygons = PolygonMesh { positions, faces, ..PolygonMesh::default() };
-    Body::new(&polygons).expect("a sheet is a surface")
+    Ok(Body::new(&polygons)?)
 }

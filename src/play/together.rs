@@ -5,7 +5,7 @@ use super::protocol::{ToPage, ToWorker};
 use super::testing::PLANTS;
 use super::worker::Worker;
 use super::{End, link};
-use crate::tissue::{Growth, Progress};
+use crate::tissue::Progress;
 use std::sync::Arc;
 
 /// A page and a worker with a mailbox between them, through the words of the protocol.
@@ -16,6 +16,7 @@ struct Together {
     said: Vec<String>,
     told: Vec<String>,
     wishes: usize,
+    loads: Vec<&'static str>,
 }
 
 impl Together {
@@ -28,6 +29,7 @@ impl Together {
             said: Vec::new(),
             told: Vec::new(),
             wishes: 0,
+            loads: Vec::new(),
         };
         all.take(effects);
         all.hear(Event::FromWorker(Worker::hello()));
@@ -45,11 +47,15 @@ impl Together {
         for effect in effects {
             match effect {
                 Effect::Post(wish) => {
-                    self.wishes += 1;
+                    self.wishes += usize::from(matches!(wish, ToWorker::Grow { .. }));
                     let wish = ToWorker::from_words(&wish.to_words()).unwrap();
                     if let Some(answer) = self.worker.hear(wish) {
                         self.hear(Event::FromWorker(answer));
                     }
+                }
+                Effect::LoadMesh(name) => {
+                    self.loads.push(name);
+                    self.hear(Event::Mesh { name, text: Ok(String::new()) });
                 }
                 Effect::WriteLink(link) => self.links.push(link),
                 Effect::Say(text) => self.said.push(text),
@@ -105,8 +111,8 @@ impl Together {
 /// The fingerprint that the model gives without page and worker.
 fn fingerprint_of(fragment: &str) -> String {
     let scene = link::read(fragment, PLANTS).scene;
-    let mesh = Arc::new((scene.plant.body)().surface);
-    let mut growth = Growth::new(mesh, scene.recipe, &[], scene.individual).unwrap();
+    let mesh = Arc::new(scene.plant.embedded_body().surface);
+    let mut growth = scene.plant.sow(mesh, scene.recipe, scene.individual).unwrap();
     while growth.step() != Progress::Day(scene.day) {}
     growth.diary.fingerprint(scene.day as usize)
 }
@@ -234,6 +240,7 @@ fn a_full_population_ends_the_line_of_days() {
             vec![plant]
         });
     let (mut page, _) = Page::open("#leaf?v=1&s=1&d=6", &CROWDED);
+    page.hear(Event::Mesh { name: "leaf", text: Ok(String::new()) });
     let mut worker = Worker::new(&CROWDED);
     let mut told = Vec::new();
     for effect in page.hear(Event::FromWorker(Worker::hello())) {
@@ -258,6 +265,29 @@ fn a_full_population_ends_the_line_of_days() {
     assert_eq!(page.state(), State::Ready);
     assert_eq!(page.scene().day, last);
     assert!(told[0].starts_with(&format!("Growth ended on day {last}")), "{told:?}");
+}
+
+#[test]
+fn each_mesh_is_loaded_once() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=1");
+    for plant in ["fruit", "leaf", "fruit"] {
+        all.hear(Event::ChoosePlant(plant.to_string()));
+        all.finish();
+        assert_eq!(all.page.drawn().unwrap().plant, plant);
+    }
+    assert_eq!(all.loads, ["leaf", "fruit"]);
+}
+
+#[test]
+fn a_mesh_that_cannot_be_loaded_is_told_and_asked_for_again() {
+    let (mut page, effects) = Page::open("#leaf?v=1&s=1&d=1", PLANTS);
+    assert!(effects.contains(&Effect::LoadMesh("leaf")));
+    let effects = page.hear(Event::Mesh { name: "leaf", text: Err("404".to_string()) });
+    assert_eq!(page.state(), State::Error);
+    assert!(
+        matches!(&effects[0], Effect::Tell(t) if t[0].contains("leaf") && t[0].contains("404"))
+    );
+    assert_eq!(page.hear(Event::FromWorker(Worker::hello())), [Effect::LoadMesh("leaf")]);
 }
 
 #[test]

@@ -41,6 +41,12 @@ pub fn grouped(number: u32) -> String {
     text
 }
 
+/// Why there is no plant to see.
+pub fn no_mesh(plant: &Plant, why: &str) -> String {
+    let name = plant.name.to_ascii_lowercase();
+    format!("The shape of the {name} could not be loaded ({why}). Please load the page again.")
+}
+
 /// Why a growth ended early.
 pub fn full(run: &Run) -> String {
     format!(

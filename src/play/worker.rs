@@ -3,27 +3,40 @@
 
 use super::link;
 use super::protocol::{BUILD, DayNews, ToPage, ToWorker};
+use super::run::DayFacts;
+use crate::mosaic::SiteFinder;
 use crate::plants::Plant;
 use crate::surface::Mesh;
-use crate::tissue::{Growth, Progress, RecipeError};
+use crate::tissue::{Growth, Progress};
 use std::sync::Arc;
 
 /// Grows one plant at a time.
 pub struct Worker {
     plants: &'static [Plant],
-    /// Surfaces by plant, made once and kept: to refine one takes longer than its first days.
-    surfaces: Vec<(&'static str, Arc<Mesh>)>,
+    /// The texts of the mesh files that came, by name.
+    meshes: Vec<(String, String)>,
+    /// Grounds by plant, made once and kept: to refine one takes longer than its first days.
+    grounds: Vec<Ground>,
     run: Option<Run>,
+}
+
+/// What a plant's cells live on, and how they are found there.
+struct Ground {
+    plant: &'static str,
+    surface: Arc<Mesh>,
+    finder: SiteFinder,
 }
 
 struct Run {
     generation: u32,
     growth: Growth,
+    /// Its index in `grounds`.
+    ground: usize,
 }
 
 impl Worker {
     pub fn new(plants: &'static [Plant]) -> Worker {
-        Worker { plants, surfaces: Vec::new(), run: None }
+        Worker { plants, meshes: Vec::new(), grounds: Vec::new(), run: None }
     }
 
     /// What a worker says first.
@@ -33,14 +46,20 @@ impl Worker {
 
     /// Takes a wish; what grew before stops. An answer comes at once only if it cannot be grown.
     pub fn hear(&mut self, wish: ToWorker) -> Option<ToPage> {
-        let ToWorker::Grow { generation, link } = wish;
+        let (generation, link) = match wish {
+            ToWorker::Grow { generation, link } => (generation, link),
+            ToWorker::Mesh { name, text } => {
+                self.meshes.push((name, text));
+                return None;
+            }
+        };
         self.run = None;
         match self.sow(&link) {
-            Ok(growth) => {
-                self.run = Some(Run { generation, growth });
+            Ok((growth, ground)) => {
+                self.run = Some(Run { generation, growth, ground });
                 None
             }
-            Err(why) => Some(ToPage::Failed { generation, text: why.to_string() }),
+            Err(why) => Some(ToPage::Failed { generation, text: why }),
         }
     }
 
@@ -52,11 +71,14 @@ impl Worker {
     /// Grows until the slice of time is over or the growth ends. `slice_is_over` is asked after each
     /// relaxation event.
     pub fn work(&mut self, slice_is_over: impl Fn() -> bool, mut post: impl FnMut(ToPage)) {
-        while let Some(Run { generation, growth }) = &mut self.run {
+        while let Some(Run { generation, growth, ground }) = &mut self.run {
             let generation = *generation;
             match growth.step() {
                 Progress::Event => {}
-                Progress::Day(day) => post(ToPage::Day(news(growth, generation, day))),
+                Progress::Day(day) => {
+                    let ground = &mut self.grounds[*ground];
+                    post(ToPage::Day(ground.news(growth, generation, day)));
+                }
                 Progress::Full => {
                     post(ToPage::Full { generation });
                     self.run = None;
@@ -72,30 +94,39 @@ impl Worker {
         }
     }
 
-    fn sow(&mut self, link: &str) -> Result<Growth, RecipeError> {
+    fn sow(&mut self, link: &str) -> Result<(Growth, usize), String> {
         let scene = link::read(link, self.plants).scene;
-        let plant = scene.plant;
-        let known = self.surfaces.iter().position(|(key, _)| *key == plant.key);
-        let known = known.unwrap_or_else(|| {
-            self.surfaces.push((plant.key, Arc::new((plant.body)().surface)));
-            self.surfaces.len() - 1
-        });
-        let surface = Arc::clone(&self.surfaces[known].1);
-        Growth::new(surface, scene.recipe, &(plant.controls)(), scene.individual)
+        let ground = self.ground(scene.plant)?;
+        let surface = Arc::clone(&self.grounds[ground].surface);
+        let growth = scene.plant.sow(surface, scene.recipe, scene.individual);
+        let growth = growth.map_err(|why| why.to_string())?;
+        Ok((growth, ground))
+    }
+
+    /// The index of a plant's ground.
+    fn ground(&mut self, plant: &'static Plant) -> Result<usize, String> {
+        if let Some(known) = self.grounds.iter().position(|ground| ground.plant == plant.key) {
+            return Ok(known);
+        }
+        let mesh = self.meshes.iter().find(|(name, _)| name == plant.mesh.name);
+        let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.mesh.name))?;
+        let body = (plant.body)(text).map_err(|why| format!("{}: {why}", plant.mesh.name))?;
+        let surface = Arc::new(body.surface);
+        let finder = SiteFinder::new(&surface);
+        self.grounds.push(Ground { plant: plant.key, surface, finder });
+        Ok(self.grounds.len() - 1)
     }
 }
 
-fn news(growth: &Growth, generation: u32, day: u32) -> DayNews {
-    let diary = &growth.diary;
-    let index = day as usize;
-    let today = &diary.days[index];
-    let before = index.checked_sub(1).map_or(0, |k| diary.days[k].places.len());
-    DayNews {
-        generation,
-        day,
-        repulsive_radius: today.repulsive_radius,
-        fingerprint: diary.fingerprint(index),
-        places: today.places.clone(),
-        newborn: diary.lineage[before..today.places.len()].to_vec(),
+impl Ground {
+    fn news(&mut self, growth: &Growth, generation: u32, day: u32) -> DayNews {
+        let diary = &growth.diary;
+        let index = day as usize;
+        DayNews {
+            generation,
+            day,
+            facts: DayFacts { count: diary.count(index), fingerprint: diary.fingerprint(index) },
+            lists: self.finder.find(&self.surface, diary, index),
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! A body: the patterned surface of a plant and the bare parts that stand beside it.
 
-use super::{Mesh, PolygonMesh};
+use super::{ControlImage, Mesh, Place, PolygonMesh, Wrap};
 use glam::{Vec2, Vec3};
 
 /// What a plant is made of.
@@ -72,6 +72,50 @@ impl Body {
             old.iter().map(|&v| polygons.uvs[v as usize]).collect()
         };
         Ok(Body { surface: Mesh::new(positions, uvs, triangles)?, ornaments })
+    }
+
+    /// No pattern where a control image is black (Thesis 3.2.3): the triangles whose centres lie
+    /// there are taken out of the patterned surface and become one bare part more, so that no cell
+    /// ever comes there. The rest must not be empty.
+    pub fn bared(
+        mut self,
+        wrap: &Wrap,
+        image: &ControlImage,
+        material: &str,
+    ) -> Result<Body, SurfaceError> {
+        let whole = &self.surface;
+        let patterned = |triangle: u32| {
+            let centre = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
+            let (turns, height) = wrap.coordinates(image, whole, centre);
+            image.is_white(turns, height)
+        };
+        let (kept, covered): (Vec<u32>, Vec<u32>) =
+            (0..whole.triangles.len() as u32).partition(|&t| patterned(t));
+        if kept.is_empty() {
+            return Err(SurfaceError::AllBare);
+        }
+        if covered.is_empty() {
+            return Ok(self);
+        }
+        let cut = |numbers: &[u32]| {
+            compact(&numbers.iter().map(|&t| whole.triangles[t as usize]).collect::<Vec<_>>())
+        };
+        let of_old = |all: &[Vec3], old: &[u32]| old.iter().map(|&v| all[v as usize]).collect();
+        let (old, triangles) = cut(&covered);
+        // Normals of the whole surface, so that no edge shows where the pattern ends.
+        let bare = Ornament {
+            material: material.to_string(),
+            positions: of_old(&whole.positions, &old),
+            normals: of_old(&whole.normals, &old),
+            triangles,
+        };
+        let (old, triangles) = cut(&kept);
+        let uvs = old.iter().filter_map(|&v| whole.uvs.get(v as usize).copied()).collect();
+        let mut surface = Mesh::new(of_old(&whole.positions, &old), uvs, triangles)?;
+        surface.normals = of_old(&whole.normals, &old);
+        self.surface = surface;
+        self.ornaments.push(bare);
+        Ok(self)
     }
 }
 

@@ -10,7 +10,7 @@ use wide::f32x4;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Image {
     pub triangle: u32,
-    /// Least distance to the home triangle, in centimetres.
+    /// In a chart: the image is no nearer to the home triangle than this, in centimetres.
     pub distance: f32,
     /// Corner 0 in the home frame, and the edges from it to corners 1 and 2.
     pub origin: Vec2,
@@ -30,22 +30,28 @@ impl Image {
             at(self.origin.y, self.edge1.y, self.edge2.y),
         )
     }
+
+    pub fn corners(&self) -> [Vec2; 3] {
+        [self.origin, self.origin + self.edge1, self.origin + self.edge2]
+    }
+
+    pub fn centroid(&self) -> Vec2 {
+        self.origin + (self.edge1 + self.edge2) / 3.0
+    }
+
+    /// What a vector of the home plane is to be multiplied with for its changes of `b1` and `b2`.
+    pub fn to_barycentric(&self) -> [Vec2; 2] {
+        let per_area = 1.0 / self.edge1.perp_dot(self.edge2);
+        [Vec2::new(self.edge2.y, -self.edge2.x), Vec2::new(-self.edge1.y, self.edge1.x)]
+            .map(|v| v * per_area)
+    }
 }
 
-/// Which images of a triangle a chart keeps where several ways around a curved vertex lead to it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Images {
-    /// The one over the nearest edges: each neighbour counts once, as the forces need it.
-    Nearest,
-    /// All that can be seen from home in a straight line: the shortest way differs from point to
-    /// point, as the mosaic needs it.
-    Visible,
-}
-
-/// Charts of the triangles of one mesh, built when first asked for.
+/// Charts of the triangles of one mesh, built when first asked for. A chart holds all images of a
+/// triangle that can be seen from home in a straight line: around a curved vertex the shortest way
+/// differs from point to point.
 #[derive(Debug)]
 pub struct Charts {
-    kept: Images,
     spans: Vec<Span>,
     images: Vec<Image>,
     builder: Builder,
@@ -69,9 +75,8 @@ const MAX_IMAGES: usize = 4_000_000;
 const MAX_COPIES: usize = 2;
 
 impl Charts {
-    pub fn new(mesh: &Mesh, kept: Images) -> Charts {
+    pub fn new(mesh: &Mesh) -> Charts {
         Charts {
-            kept,
             spans: vec![UNBUILT; mesh.triangles.len()],
             images: Vec::new(),
             builder: Builder::default(),
@@ -87,7 +92,7 @@ impl Charts {
                 self.spans.fill(UNBUILT);
             }
             let first = self.images.len();
-            self.builder.build(mesh, home, radius, self.kept, &mut self.images);
+            self.builder.build(mesh, home, radius, &mut self.images);
             let count = (self.images.len() - first) as u32;
             self.spans[home as usize] = Span { first: first as u32, count, radius };
         }
@@ -107,33 +112,33 @@ struct Portal {
     before: Option<u32>,
 }
 
+/// Where a triangle stands in a chart.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    chart: u32,
+    copies: [u32; MAX_COPIES],
+    count: u32,
+}
+
 #[derive(Default, Debug)]
 struct Builder {
     portals: Vec<Portal>,
     /// Waiting portals by (distance, crossings, number).
     waiting: BinaryHeap<Reverse<(u32, u32, u32)>>,
-    /// The number of the chart under way, and of the last one in which each triangle stood.
+    /// The number of the chart under way.
     chart: u32,
-    last_chart: Vec<u32>,
+    /// For each triangle the last chart in which it stood, and its images there.
+    seen: Vec<Seen>,
 }
 
 impl Builder {
-    fn build(
-        &mut self,
-        mesh: &Mesh,
-        home: u32,
-        radius: f32,
-        kept: Images,
-        images: &mut Vec<Image>,
-    ) {
-        let first = images.len();
+    fn build(&mut self, mesh: &Mesh, home: u32, radius: f32, images: &mut Vec<Image>) {
         let corners = mesh.frames[home as usize].corners();
-        let target = Target::new(corners);
+        let disc = Disc::around(corners);
         self.portals.clear();
         self.waiting.clear();
         self.chart += 1;
-        self.last_chart.resize(mesh.triangles.len(), 0);
-        self.last_chart[home as usize] = self.chart;
+        self.seen.resize(mesh.triangles.len(), Seen::default());
         images.push(image(home, 0.0, corners));
         for k in 0..3 {
             self.push_edge(3 * home + k as u32, &corners, 0.0, None, 0);
@@ -145,28 +150,28 @@ impl Builder {
                 continue;
             }
             let (triangle, entered) = (twin / 3, twin as usize % 3);
-            let seen = self.last_chart[triangle as usize] == self.chart;
-            if seen && kept == Images::Nearest {
+            let mut seen = self.seen[triangle as usize];
+            if seen.chart != self.chart {
+                seen = Seen { chart: self.chart, ..Seen::default() };
+            }
+            if triangle == home || seen.count as usize == MAX_COPIES {
                 continue;
             }
             let unfolded = unfold(mesh, twin as usize, portal.left, portal.right);
-            if seen {
+            if seen.count > 0 {
                 let frame = &mesh.frames[triangle as usize];
-                let mut known = images[first..].iter().filter(|i| i.triangle == triangle);
-                if triangle == home
-                    || known.clone().count() >= MAX_COPIES
-                    || known.any(|i| same_image(i, &unfolded, frame))
-                    || !self.sees_through(number)
-                {
+                let known = &images[seen.copies[0] as usize];
+                if same_image(known, &unfolded, frame) || !self.sees_through(number) {
                     continue;
                 }
             }
-            self.last_chart[triangle as usize] = self.chart;
+            seen.copies[seen.count as usize] = images.len() as u32;
+            seen.count += 1;
+            self.seen[triangle as usize] = seen;
             // Who comes straight from home comes through the portal: nothing of the image is nearer.
             images.push(image(triangle, f32::from_bits(distance), unfolded));
-            let apex_squared = target.squared_distance(unfolded[entered]);
             for k in [(entered + 1) % 3, (entered + 2) % 3] {
-                let farther = target.segment_distance(&unfolded, k, entered, apex_squared);
+                let farther = disc.distance(unfolded[(k + 1) % 3], unfolded[(k + 2) % 3]);
                 let farther = farther.max(f32::from_bits(distance));
                 if farther <= radius {
                     let half_edge = 3 * triangle + k as u32;
@@ -221,13 +226,13 @@ impl Builder {
     }
 }
 
-fn image(triangle: u32, distance: f32, [a, b, c]: [Vec2; 3]) -> Image {
+pub(super) fn image(triangle: u32, distance: f32, [a, b, c]: [Vec2; 3]) -> Image {
     Image { triangle, distance, origin: a, edge1: b - a, edge2: c - a }
 }
 
 /// The corners of the triangle behind half-edge `twin`, laid down at the portal `left`, `right`
 /// through which it is entered.
-fn unfold(mesh: &Mesh, twin: usize, left: Vec2, right: Vec2) -> [Vec2; 3] {
+pub(super) fn unfold(mesh: &Mesh, twin: usize, left: Vec2, right: Vec2) -> [Vec2; 3] {
     let corners = mesh.frames[twin / 3].corners();
     let k = twin % 3;
     // The twin runs the other way: its first corner is the left end.
@@ -256,52 +261,24 @@ fn same_image(image: &Image, unfolded: &[Vec2; 3], frame: &super::mesh::Frame) -
         && (image.origin + image.edge2).distance(unfolded[2]) < near
 }
 
-/// A chart's home, as the triangle to which distances are taken.
-struct Target {
-    corners: [Vec2; 3],
-    /// For each corner the edge to the next one, and the same divided by its squared length.
-    edges: [Vec2; 3],
-    per_length: [Vec2; 3],
+/// The disc around a chart's home, from which distances are taken: never more than from the triangle
+/// itself, and found in a third of the time.
+struct Disc {
+    centre: Vec2,
+    radius: f32,
 }
 
-impl Target {
-    fn new(corners: [Vec2; 3]) -> Target {
-        let edges = [0, 1, 2].map(|k| corners[(k + 1) % 3] - corners[k]);
-        Target { corners, edges, per_length: edges.map(|e| e / e.length_squared()) }
+impl Disc {
+    fn around(corners: [Vec2; 3]) -> Disc {
+        let centre = (corners[0] + corners[1] + corners[2]) / 3.0;
+        let radius = corners.iter().map(|c| c.distance(centre)).fold(0.0, f32::max);
+        Disc { centre, radius }
     }
 
-    /// Squared distance of a point outside the triangle.
-    fn squared_distance(&self, p: Vec2) -> f32 {
-        (0..3)
-            .map(|k| {
-                let from_corner = p - self.corners[k];
-                let along = from_corner.dot(self.per_length[k]).clamp(0.0, 1.0);
-                (from_corner - self.edges[k] * along).length_squared()
-            })
-            .fold(f32::INFINITY, f32::min)
-    }
-
-    /// Distance of the edge of an unfolded triangle opposite its corner `k`, one end of which is
-    /// `apex`, at a known distance.
-    fn segment_distance(
-        &self,
-        unfolded: &[Vec2; 3],
-        k: usize,
-        apex: usize,
-        apex_squared: f32,
-    ) -> f32 {
-        let (from, to) = (unfolded[(k + 1) % 3], unfolded[(k + 2) % 3]);
-        let other = if (k + 1) % 3 == apex { to } else { from };
-        let edge = to - from;
-        let per_length = edge / edge.length_squared();
-        let nearest_corner = self
-            .corners
-            .iter()
-            .map(|&corner| {
-                let along = (corner - from).dot(per_length).clamp(0.0, 1.0);
-                (corner - from - edge * along).length_squared()
-            })
-            .fold(f32::INFINITY, f32::min);
-        nearest_corner.min(apex_squared).min(self.squared_distance(other)).sqrt()
+    /// Distance of a line segment.
+    fn distance(&self, from: Vec2, to: Vec2) -> f32 {
+        let (edge, arm) = (to - from, self.centre - from);
+        let along = (arm.dot(edge) / edge.length_squared()).clamp(0.0, 1.0);
+        ((arm - edge * along).length() - self.radius).max(0.0)
     }
 }

@@ -29,45 +29,25 @@ pub struct ControlImage {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wrap {
     Cylinder(Cylinder),
-    /// Spread over the leaves by their leaf coordinates, from rim to rim and from base to tip. (The
+    /// Spread over every leaf by its leaf coordinates, from rim to rim and from base to tip. (The
     /// thesis wraps each leaf in a cylinder; leaf coordinates follow blades that bend.)
     Leaf,
 }
 
-/// A control image on a body: where it is black, first cells of type F become B, and where it is
-/// grey, M.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Control {
-    pub wrap: Wrap,
-    pub image: ControlImage,
-}
-
-/// What a control image says of a place: a third of the greys each.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tone {
-    Black,
-    Grey,
-    White,
-}
-
-impl From<bool> for Tone {
-    fn from(is_white: bool) -> Tone {
-        if is_white { Tone::White } else { Tone::Black }
-    }
-}
-
 impl Wrap {
-    /// Where in the image a place looks: turns, `0..=1`, and height, 0 at the bottom of the image
-    /// and 1 at its top. Half a turn is the midrib of a leaf.
+    /// Where in the image a place looks: turns, `0..1`, and height, 0 at the bottom of the image
+    /// and 1 at its top. Across a leaf half a turn is the midrib, and its rims lie as far inside the
+    /// seam as the centres of the image's outermost columns.
     ///
     /// # Panics
     /// For `Wrap::Leaf` on a mesh without leaf coordinates.
-    pub fn coordinates(&self, mesh: &Mesh, place: Place) -> (f32, f32) {
+    pub fn coordinates(&self, image: &ControlImage, mesh: &Mesh, place: Place) -> (f32, f32) {
         match self {
             Wrap::Cylinder(cylinder) => cylinder.coordinates(mesh.point(place)),
             Wrap::Leaf => {
                 let leaf = mesh.uv(place);
-                (0.5 * (leaf.x + 1.0), leaf.y)
+                let outermost = 0.5 / image.width as f32;
+                ((0.5 * (leaf.x + 1.0)).clamp(outermost, 1.0 - outermost), leaf.y)
             }
         }
     }
@@ -88,40 +68,93 @@ impl Cylinder {
 
 impl ControlImage {
     /// Paints an image from a rule: `rule(turns, height)` with both in `0..1`, at pixel centres;
-    /// it gives a tone, or true for white and false for black.
-    pub fn paint<T: Into<Tone>>(
-        width: u32,
-        height: u32,
-        rule: impl Fn(f32, f32) -> T,
-    ) -> ControlImage {
+    /// true is white.
+    pub fn paint(width: u32, height: u32, rule: impl Fn(f32, f32) -> bool) -> ControlImage {
         let centre = |k: u32, n: u32| (k as f32 + 0.5) / n as f32;
         let grey = (0..height)
             .flat_map(|y| (0..width).map(move |x| (x, y)))
-            .map(|(x, y)| match rule(centre(x, width), centre(y, height)).into() {
-                Tone::Black => 0,
-                Tone::Grey => 128,
-                Tone::White => 255,
-            })
+            .map(|(x, y)| if rule(centre(x, width), centre(y, height)) { 255 } else { 0 })
             .collect();
         ControlImage { width, height, grey }
     }
 
-    /// The grey value at an angle (in turns, wraps around) and a height (ends are repeated).
-    pub fn at(&self, turns: f32, height: f32) -> u8 {
+    /// Whether the pixel at an angle (in turns, wraps around) and a height (ends are repeated) is
+    /// white: for uses that have a sharp border.
+    pub fn is_white(&self, turns: f32, height: f32) -> bool {
         let column = ((turns * self.width as f32) as u32) % self.width;
         let row = ((height * self.height as f32).max(0.0) as u32).min(self.height - 1);
+        self.pixel(column, row) >= 128
+    }
+
+    /// The grey value there, 0 black to 1 white, bilinear between pixel centres: for uses that
+    /// scale something. The last column passes into the first without a seam.
+    pub fn grey(&self, turns: f32, height: f32) -> f32 {
+        let between = |at: f32| (libm::floorf(at) as i32, at - libm::floorf(at));
+        let (column, right) = between(turns * self.width as f32 - 0.5);
+        let (row, up) = between(height.clamp(0.0, 1.0) * self.height as f32 - 0.5);
+        let pixel = |dx: i32, dy: i32| {
+            let x = (column + dx).rem_euclid(self.width as i32);
+            let y = (row + dy).clamp(0, self.height as i32 - 1);
+            f32::from(self.pixel(x as u32, y as u32)) / 255.0
+        };
+        let mix = |a: f32, b: f32, t: f32| a * (1.0 - t) + b * t;
+        mix(mix(pixel(0, 0), pixel(1, 0), right), mix(pixel(0, 1), pixel(1, 1), right), up)
+    }
+
+    fn pixel(&self, column: u32, row: u32) -> u8 {
         self.grey[(row * self.width + column) as usize]
     }
 }
 
-impl Control {
-    /// What the image says of a place.
-    pub fn tone(&self, mesh: &Mesh, place: Place) -> Tone {
-        let (turns, height) = self.wrap.coordinates(mesh, place);
-        match self.image.at(turns, height) {
-            0..=84 => Tone::Black,
-            85..=169 => Tone::Grey,
-            170..=255 => Tone::White,
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Pixels without any order.
+    fn noise(width: u32, height: u32) -> ControlImage {
+        let grey = (0..width * height).map(|k| (k * k * 89 + k * 57) as u8).collect();
+        ControlImage { width, height, grey }
+    }
+
+    #[test]
+    fn greys_are_those_of_the_pixels_at_their_centres_and_lie_between_them_elsewhere() {
+        let image = noise(7, 5);
+        for (x, y) in (0..7).flat_map(|x| (0..5).map(move |y| (x, y))) {
+            let (turns, height) = ((x as f32 + 0.5) / 7.0, (y as f32 + 0.5) / 5.0);
+            let grey = f32::from(image.pixel(x, y)) / 255.0;
+            assert!((image.grey(turns, height) - grey).abs() < 1e-5);
+            let next = f32::from(image.pixel((x + 1) % 7, y)) / 255.0;
+            let half_way = image.grey(turns + 0.5 / 7.0, height);
+            assert!((half_way - 0.5 * (grey + next)).abs() < 1e-5, "column {x}");
+        }
+        assert_eq!(image.grey(0.3, -4.0), image.grey(0.3, 0.0));
+        assert_eq!(image.grey(0.3, 9.0), image.grey(0.3, 1.0));
+    }
+
+    #[test]
+    fn there_is_no_seam_around_the_angle() {
+        // An image that is turned by some columns looks the same at angles turned as far.
+        let (image, by) = (noise(16, 4), 5);
+        let mut turned = image.clone();
+        for row in turned.grey.chunks_mut(16) {
+            row.rotate_right(by);
+        }
+        for k in 0..=640 {
+            let (turns, height) = (k as f32 / 640.0, (k % 13) as f32 / 12.0);
+            let to = turns + by as f32 / 16.0;
+            let to = if to > 1.0 { to - 1.0 } else { to };
+            let (before, after) = (image.grey(turns, height), turned.grey(to, height));
+            assert!((before - after).abs() < 1e-4, "{turns}: {before} and {after}");
+        }
+        assert!((image.grey(1.0, 0.4) - image.grey(0.0, 0.4)).abs() < 1e-5);
+    }
+
+    #[test]
+    fn angles_run_once_around_the_axis() {
+        let cylinder = Cylinder { base: Vec3::ZERO, axis: Vec3::Y, zero: Vec3::X, height: 2.0 };
+        for (point, turns) in [(Vec3::X, 0.0), (-Vec3::Z, 0.25), (-Vec3::X, 0.5), (Vec3::Z, 0.75)] {
+            let at = cylinder.coordinates(3.0 * point + Vec3::Y);
+            assert!((at.0 - turns).abs() < 1e-6 && (at.1 - 0.5).abs() < 1e-6, "{point}: {at:?}");
         }
     }
 }

@@ -90,6 +90,19 @@ impl Mesh {
         a + (b - a) * place.b1 + (c - a) * place.b2
     }
 
+    /// The centre of a triangle in space.
+    pub fn centroid(&self, triangle: u32) -> Vec3 {
+        let [a, b, c] = self.corners(triangle);
+        (a + b + c) / 3.0
+    }
+
+    /// The unit vectors in space that are `x` and `y` of a triangle's frame.
+    pub fn axes(&self, triangle: u32) -> [Vec3; 2] {
+        let [a, b, c] = self.corners(triangle);
+        let x = (b - a).normalize();
+        [x, ((c - a) - x * (c - a).dot(x)).normalize()]
+    }
+
     /// Number of connected parts.
     pub fn part_count(&self) -> usize {
         self.parts.iter().max().map_or(0, |&p| p as usize + 1)

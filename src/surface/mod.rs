@@ -3,14 +3,21 @@
 mod body;
 mod chart;
 mod cylinder;
+mod field;
+mod layout;
 mod mesh;
 mod obj;
+mod outline;
+mod patches;
 mod refine;
 mod walk;
 
 pub use body::{Body, Ornament, SurfaceError};
-pub use chart::{Charts, Image, Images};
-pub use cylinder::{Control, ControlImage, Cylinder, Tone, Wrap};
+pub use chart::{Charts, Image};
+pub use cylinder::{ControlImage, Cylinder, Wrap};
+pub use field::{DirectionField, FieldError, Guide};
 pub use mesh::{Frame, Mesh, NO_TWIN, Place};
 pub use obj::{Face, Group, ObjError, PolygonMesh};
+pub use outline::Outline;
+pub use patches::{Patch, Patches};
 pub use walk::{Step, walk};

@@ -2,7 +2,7 @@
 
 use crate::surface::{Frame, Mesh, Place};
 use std::ops::Range;
-use wide::f32x4;
+use wide::{f32x4, i32x4};
 
 /// Cuts along an edge at most: their square is the bins of a triangle.
 const MAX_CUTS: usize = 32;
@@ -49,20 +49,46 @@ impl Bins {
         triangle * self.in_triangle()..(triangle + 1) * self.in_triangle()
     }
 
-    /// The bin that a place lies in. Bins are numbered in strips of equal `b1`, those that point up
-    /// and down in turn.
+    /// The bin that a place lies in, where triangles stand in the order of their numbers.
     #[inline]
     pub fn bin(&self, place: Place) -> u32 {
+        place.triangle * self.in_triangle() as u32 + self.within(place.b1, place.b2)
+    }
+
+    /// The bin within a triangle. Bins are numbered in strips of equal `b1`, those that point up and
+    /// down in turn.
+    #[inline]
+    pub fn within(&self, b1: f32, b2: f32) -> u32 {
         if self.cuts == 1 {
-            return place.triangle;
+            return 0;
         }
         let cuts = self.cuts as i32;
-        let (x, y) = (place.b1 * cuts as f32, place.b2 * cuts as f32);
+        let (x, y) = (b1 * cuts as f32, b2 * cuts as f32);
         let i = (x as i32).min(cuts - 1);
         let j = (y as i32).min(cuts - 1 - i);
         let points_down = (x - i as f32) + (y - j as f32) > 1.0 && i + j + 1 < cuts;
-        let within = i * (2 * cuts - i) + 2 * j + i32::from(points_down);
-        place.triangle * (cuts * cuts) as u32 + within as u32
+        (i * (2 * cuts - i) + 2 * j + i32::from(points_down)) as u32
+    }
+
+    /// As `within`, for four places.
+    #[inline]
+    pub fn four_within(&self, b1: f32x4, b2: f32x4) -> i32x4 {
+        if self.cuts == 1 {
+            return i32x4::ZERO;
+        }
+        let (cuts, one) = (f32x4::splat(self.cuts as f32), f32x4::ONE);
+        let floor = |v: f32x4| v.fast_trunc_int().round_float();
+        let (x, y) = (b1 * cuts, b2 * cuts);
+        let i = floor(x).fast_min(cuts - one);
+        let j = floor(y).fast_min(cuts - one - i);
+        let points_down = ((x - i) + (y - j)).simd_gt(one) & (i + j + one).simd_lt(cuts) & one;
+        // Whole numbers up to `MAX_CUTS` squared are exact as floats.
+        (i * (cuts + cuts - i) + j + j + points_down).fast_trunc_int()
+    }
+
+    /// The centroid of a bin of a triangle, as `b1` and `b2`.
+    pub fn centroid(&self, bin: usize) -> (f32, f32) {
+        (self.centroid_b1[bin], self.centroid_b2[bin])
     }
 
     /// The centroids of four bins of a triangle, from the `first` on, as `b1` and `b2`.

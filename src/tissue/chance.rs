@@ -53,32 +53,26 @@ pub fn pick(row: &[f64; 3], u: f64) -> usize {
     }
 }
 
-/// A Poisson distribution, sampled by looking a uniform number up in its cumulative table. A table
-/// of our own and no library's sampler: its draws may never change, or old links would lie.
-pub struct Poisson {
-    cumulative: Vec<f64>,
+/// The whole number of a Poisson distribution whose share of `0..1` holds `u`. `mean` is over 0 and
+/// at most 500 (where `exp(-mean)` is still far above the smallest f64). Of our own and no library's
+/// sampler: its draws may never change, or old links would lie.
+pub fn poisson(mean: f64, u: f64) -> u32 {
+    // Beyond this the terms no longer change the sum.
+    let last = (mean + 12.0 * libm::sqrt(mean) + 30.0) as u32;
+    let mut term = libm::exp(-mean);
+    let mut sum = term;
+    let mut number = 0;
+    while sum <= u && number <= last {
+        number += 1;
+        term *= mean / f64::from(number);
+        sum += term;
+    }
+    number
 }
 
-impl Poisson {
-    /// `mean` over 0 and at most 500 (where `exp(-mean)` is still far above the smallest f64).
-    pub fn new(mean: f64) -> Poisson {
-        let mut term = libm::exp(-mean);
-        let mut sum = term;
-        let mut cumulative = vec![sum];
-        // Beyond this the terms no longer change the sum.
-        let last = (mean + 12.0 * libm::sqrt(mean) + 30.0) as u32;
-        for k in 1..=last {
-            term *= mean / f64::from(k);
-            sum += term;
-            cumulative.push(sum);
-        }
-        Poisson { cumulative }
-    }
-
-    /// The whole number whose share of `0..1` holds `u`.
-    pub fn sample(&self, u: f64) -> u32 {
-        self.cumulative.partition_point(|&c| c <= u) as u32
-    }
+/// The time of an exponential distribution before which a share `u` of `0..1` falls.
+pub fn exponential(mean: f64, u: f64) -> f64 {
+    -mean * libm::log(1.0 - u)
 }
 
 /// A running hash of 64-bit words.

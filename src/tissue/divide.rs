@@ -1,88 +1,126 @@
 //! Division: when a cell divides, where its child appears and of what type it is
 //! (Thesis 3.2.1.2).
 
-use super::chance::{Poisson, Purpose, draw, founder_key, pick, uniform};
-use super::{CellType, Lineage, Recipe};
+use super::chance::{Purpose, draw, exponential, founder_key, pick, poisson, uniform};
+use super::{CellType, Clock, Control, Lineage, Recipe};
 use crate::surface::{Mesh, Place, walk};
 use glam::Vec2;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 
 /// A child appears in a disc around its parent that is this share of the repulsive radius across.
 const CHILD_DISC: f64 = 0.01;
 
-/// The clocks of all cells, by their numbers, and the queue of those that divide on each day.
+/// What divisions depend on beside the cells themselves.
+pub struct Setting<'a> {
+    pub mesh: &'a Mesh,
+    pub recipe: &'a Recipe,
+    pub controls: &'a [Control],
+}
+
+/// The clocks of all cells, by their numbers, and the queue of the divisions to come.
 pub struct Clocks {
     /// Keys of the cells' chance, from the seed and their lineage alone.
     keys: Vec<u64>,
     /// Divisions that each cell has been through.
     turns: Vec<u32>,
-    /// The cells that divide on each day, in the order in which they were told so.
-    due: Vec<Vec<u32>>,
-    waits: [Poisson; 3],
+    /// The first one first.
+    due: BinaryHeap<Reverse<Due>>,
+    /// Divisions that have been told so far.
+    told: u32,
+}
+
+/// A division to come. Of several at the same time the one comes first that was told first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Due {
+    /// Days since day 0, as the bits of an f64: without a sign they are in the order of the numbers.
+    time: u64,
+    told: u32,
+    cell: u32,
 }
 
 impl Clocks {
-    /// Winds the clocks of the first cells. Divisions after the recipe's last day are forgotten.
-    pub fn new(recipe: &Recipe, seed: u32, founders: &[Lineage]) -> Clocks {
+    /// Winds the clocks of the first cells where they are sown.
+    pub fn new(setting: &Setting, seed: u32, founders: &[Lineage], places: &[Place]) -> Clocks {
         let mut clocks = Clocks {
             keys: (0..founders.len() as u32).map(|f| founder_key(seed, f)).collect(),
             turns: vec![0; founders.len()],
-            due: vec![Vec::new(); recipe.days as usize],
-            waits: recipe.division_days.map(Poisson::new),
+            due: BinaryHeap::new(),
+            told: 0,
         };
-        for (cell, founder) in founders.iter().enumerate() {
-            clocks.wind(cell as u32, founder.kind, 0);
+        for (cell, (founder, &place)) in founders.iter().zip(places).enumerate() {
+            clocks.wind(setting, cell as u32, founder.kind, place, 0.0);
         }
         clocks
     }
 
-    /// Draws the day of a cell's next division.
-    fn wind(&mut self, cell: u32, kind: CellType, today: usize) {
+    /// Draws the time of a cell's next division, in days since day 0. Divisions that the recipe's
+    /// last day does not see are forgotten.
+    fn wind(&mut self, setting: &Setting, cell: u32, kind: CellType, place: Place, now: f64) {
         let (key, turn) = (self.keys[cell as usize], self.turns[cell as usize]);
-        let wait = self.waits[kind as usize].sample(uniform(key, turn, Purpose::Clock));
-        if let Some(day) = self.due.get_mut(today + wait as usize) {
-            day.push(cell);
+        let u = uniform(key, turn, Purpose::Clock);
+        let mean = setting.division_days(kind, place);
+        let wait = match setting.recipe.clock {
+            Clock::Poisson => f64::from(poisson(mean, u)),
+            Clock::Exponential => exponential(mean, u),
+        };
+        let time = now + wait;
+        if time < f64::from(setting.recipe.days) {
+            self.due.push(Reverse(Due { time: time.to_bits(), told: self.told, cell }));
+            self.told += 1;
         }
     }
 
-    /// Divides every cell that is due on a day, children born on the same spot of time included.
-    /// Adds the children to `lineage` and `places`, where they are there from `day + 1` on.
-    /// Returns false, with the division half done, when the population would pass the cap.
+    /// The next division that falls due before a day.
+    fn next_before(&mut self, day: usize) -> Option<(f64, u32)> {
+        let Reverse(due) = *self.due.peek()?;
+        let time = f64::from_bits(due.time);
+        (time < day as f64).then(|| {
+            self.due.pop();
+            (time, due.cell)
+        })
+    }
+
+    /// Divides every cell that falls due strictly before a day, in the order of time, children that
+    /// fall due before it too included. Adds the children to `lineage` and `places`, where they are
+    /// there from that day on. Returns false, with the division half done, when the population would
+    /// pass the cap.
     pub fn divide(
         &mut self,
-        mesh: &Mesh,
-        recipe: &Recipe,
+        setting: &Setting,
         day: usize,
         radius: f32,
         lineage: &mut Vec<Lineage>,
         places: &mut Vec<Place>,
     ) -> bool {
-        let mut next = 0;
-        while next < self.due[day].len() {
-            if places.len() >= recipe.max_cells as usize {
+        while let Some((time, parent)) = self.next_before(day) {
+            if places.len() >= setting.recipe.max_cells as usize {
                 return false;
             }
-            let parent = self.due[day][next];
-            next += 1;
             let mother = lineage[parent as usize];
+            let place = places[parent as usize];
             let (key, turn) = (self.keys[parent as usize], self.turns[parent as usize]);
             let child = places.len() as u32;
-            let row = &recipe.mutation[mother.kind as usize];
+            let row = &setting.recipe.mutation[mother.kind as usize];
             let kind = CellType::from_index(pick(row, uniform(key, turn, Purpose::Type)) as u8);
-            lineage.push(Lineage {
-                parent,
-                founder: mother.founder,
-                born_day: day as u32 + 1,
-                kind,
-            });
-            places.push(beside(mesh, places[parent as usize], radius, key, turn));
+            lineage.push(Lineage { parent, founder: mother.founder, born_day: day as u32, kind });
+            let beside = beside(setting.mesh, place, radius, key, turn);
+            places.push(beside);
             self.keys.push(draw(key, turn, Purpose::Child));
             self.turns.push(0);
             self.turns[parent as usize] += 1;
-            self.wind(parent, mother.kind, day);
-            self.wind(child, kind, day);
+            self.wind(setting, parent, mother.kind, place, time);
+            self.wind(setting, child, kind, beside, time);
         }
-        self.due[day] = Vec::new();
         true
+    }
+}
+
+impl Setting<'_> {
+    /// The mean days to the next division of a cell whose clock is wound at a place.
+    fn division_days(&self, kind: CellType, place: Place) -> f64 {
+        let factors = self.controls.iter().map(|c| c.days_factor(self.mesh, place, kind));
+        self.recipe.division_days[kind as usize] * factors.product::<f64>()
     }
 }
 
@@ -94,4 +132,39 @@ fn beside(mesh: &Mesh, parent: Place, radius: f32, key: u64, turn: u32) -> Place
     let offset =
         Vec2::new((length * libm::cos(angle_rad)) as f32, (length * libm::sin(angle_rad)) as f32);
     walk(mesh, parent, offset).place
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn divisions_come_in_the_order_of_time_and_each_on_its_day() {
+        let triangle = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
+        let mesh = Mesh::new(triangle, Vec::new(), vec![[0, 1, 2]]).unwrap();
+        for clock in [Clock::Poisson, Clock::Exponential] {
+            let recipe = Recipe { clock, division_days: [3.0; 3], days: 9, ..Recipe::DEFAULT };
+            let setting = Setting { mesh: &mesh, recipe: &recipe, controls: &[] };
+            let founder = |k| {
+                let kind = CellType::Foreground;
+                Lineage { parent: k, founder: k, born_day: 0, kind }
+            };
+            let founders: Vec<Lineage> = (0..500).map(founder).collect();
+            let places = vec![Place::default(); 500];
+            let mut clocks = Clocks::new(&setting, 3, &founders, &places);
+            let (mut last, mut divided) = ((0.0, 0), 0);
+            for day in 1..=9 {
+                while let Some((time, cell)) = clocks.next_before(day) {
+                    assert!((day as f64 - 1.0..day as f64).contains(&time));
+                    assert!((time, cell) > last || divided == 0, "of equal times the first told");
+                    assert_eq!(time.fract() == 0.0, clock == Clock::Poisson);
+                    last = (time, cell);
+                    divided += 1;
+                }
+            }
+            assert!((460..500).contains(&divided), "{divided} of 500 in 9 days");
+            assert!(clocks.due.is_empty(), "what no day sees is forgotten");
+        }
+    }
 }

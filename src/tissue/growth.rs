@@ -1,11 +1,13 @@
 //! A tissue that grows day by day on a body: sowing, and then each day divisions and relaxation.
 
 use super::chance::{Purpose, founder_key, pick, uniform};
-use super::divide::Clocks;
-use super::near::Forces;
+use super::course::Course;
+use super::divide::{Clocks, Setting};
+use super::forces::Forces;
+use super::recipe::check_days;
 use super::relax::Crowd;
-use super::{CellType, Day, Diary, Lineage, Recipe, RecipeError};
-use crate::surface::{Charts, Control, Images, Mesh, Place, Tone};
+use super::{CellType, Control, Day, Diary, Lineage, Recipe, RecipeError};
+use crate::surface::{DirectionField, Mesh, Place};
 use std::sync::Arc;
 
 /// A run under way: it can be taken one relaxation event at a time, so that whoever drives it
@@ -14,7 +16,8 @@ pub struct Growth {
     pub diary: Diary,
     mesh: Arc<Mesh>,
     recipe: Recipe,
-    charts: Charts,
+    controls: Vec<Control>,
+    course: Option<Course>,
     crowd: Crowd,
     clocks: Clocks,
     /// The cells' places at the beginning of the day under way.
@@ -40,8 +43,8 @@ pub enum Progress {
 }
 
 impl Growth {
-    /// Sows the first cells (Thesis 3.2.1.1). Where a control image is black, an F cell becomes B, and
-    /// where it is grey, M.
+    /// Sows the first cells (Thesis 3.2.1.1) under the control images of the body, which are taken
+    /// in their order.
     pub fn new(
         mesh: Arc<Mesh>,
         recipe: Recipe,
@@ -49,15 +52,18 @@ impl Growth {
         seed: u32,
     ) -> Result<Growth, RecipeError> {
         recipe.check()?;
+        check_scaled_days(&recipe, controls)?;
         let (lineage, places) = sow(&mesh, &recipe, controls, seed);
-        let clocks = Clocks::new(&recipe, seed, &lineage);
+        let setting = Setting { mesh: &mesh, recipe: &recipe, controls };
+        let clocks = Clocks::new(&setting, seed, &lineage, &places);
         let mut growth = Growth {
             diary: Diary { lineage, days: Vec::new() },
-            charts: Charts::new(&mesh, Images::Nearest),
             crowd: Crowd::default(),
             radius: repulsive_radius(&recipe, mesh.area, places.len()),
             mesh,
             recipe,
+            controls: controls.to_vec(),
+            course: None,
             clocks,
             places,
             events: 0,
@@ -65,6 +71,15 @@ impl Growth {
         };
         growth.settle();
         Ok(growth)
+    }
+
+    /// From day 1 on, steps are turned along a direction field of the same mesh as far as the
+    /// recipe's anisotropy says. Before day 0 they are not: those events spread the first cells
+    /// evenly, and where adhesion plays no part the field plays none.
+    pub fn along(mut self, field: DirectionField) -> Growth {
+        let anisotropy = self.recipe.anisotropy;
+        self.course = (anisotropy > 0.0).then(|| Course::new(field, anisotropy));
+        self
     }
 
     /// Does the next relaxation event; before the first one of a day, its divisions.
@@ -88,7 +103,8 @@ impl Growth {
         };
         if self.events < events {
             let forces = self.forces(day);
-            self.crowd.relax(&self.mesh, &mut self.charts, &forces);
+            let course = self.course.as_ref().filter(|_| day > 0);
+            self.crowd.relax(&self.mesh, &forces, course);
             self.events += 1;
             if self.events < events {
                 return Progress::Event;
@@ -104,19 +120,13 @@ impl Growth {
         self.crowd.caught_walks
     }
 
-    /// What fell due on the day before divides. False when the population cap is reached: the
+    /// What fell due before the day divides. False when the population cap is reached: the
     /// children that were born already are forgotten.
     fn divide(&mut self, day: usize) -> bool {
         let cells = self.places.len();
         let lineage = &mut self.diary.lineage;
-        let within_cap = self.clocks.divide(
-            &self.mesh,
-            &self.recipe,
-            day - 1,
-            self.radius,
-            lineage,
-            &mut self.places,
-        );
+        let setting = Setting { mesh: &self.mesh, recipe: &self.recipe, controls: &self.controls };
+        let within_cap = self.clocks.divide(&setting, day, self.radius, lineage, &mut self.places);
         if !within_cap {
             self.places.truncate(cells);
             lineage.truncate(cells);
@@ -139,7 +149,7 @@ impl Growth {
     /// Hands the cells of `places` to the crowd.
     fn settle(&mut self) {
         let kinds = self.diary.lineage.iter().map(|cell| cell.kind as u8);
-        self.crowd.gather(&self.mesh, self.places.iter().copied().zip(kinds));
+        self.crowd.gather(&self.mesh, self.places.iter().copied().zip(kinds), self.radius);
     }
 
     /// Writes the day down and renews the repulsive radius.
@@ -154,6 +164,19 @@ impl Growth {
 /// `r = radius_scale * sqrt(area / cells)`, in centimetres.
 fn repulsive_radius(recipe: &Recipe, area: f32, cells: usize) -> f32 {
     recipe.radius_scale * (area / cells as f32).sqrt()
+}
+
+/// Refuses control images that scale the days between divisions out of their range.
+fn check_scaled_days(recipe: &Recipe, controls: &[Control]) -> Result<(), RecipeError> {
+    for kind in CellType::ALL {
+        let days = recipe.division_days[kind as usize];
+        for end in [0, 1] {
+            let factor: f64 = controls.iter().map(|c| c.days_factors(kind)[end].max(0.0)).product();
+            check_days(kind, days * factor)
+                .map_err(|e| RecipeError(format!("under a control image, {e}")))?;
+        }
+    }
+    Ok(())
 }
 
 /// The first cells: places uniform by area, types by their probabilities.
@@ -180,15 +203,9 @@ fn sow(
             let b2 = ((along * across) as f32).min(1.0 - b1);
             let place = Place { triangle: triangle.min(up_to.len() - 1) as u32, b1, b2 };
             let drawn = pick(&recipe.initial_probability, chance(Purpose::FirstType));
-            let mut kind = CellType::from_index(drawn as u8);
-            if kind == CellType::Foreground {
-                let mut tones = controls.iter().map(|control| control.tone(mesh, place));
-                kind = match tones.find(|&tone| tone != Tone::White) {
-                    None | Some(Tone::White) => CellType::Foreground,
-                    Some(Tone::Grey) => CellType::Middle,
-                    Some(Tone::Black) => CellType::Background,
-                };
-            }
+            let kind = controls
+                .iter()
+                .fold(CellType::from_index(drawn as u8), |k, c| c.first_type(mesh, place, k));
             (Lineage { parent: number, founder: number, born_day: 0, kind }, place)
         })
         .unzip()

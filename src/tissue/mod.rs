@@ -3,17 +3,22 @@
 
 mod bins;
 mod chance;
+mod control;
+mod course;
 mod diary;
 mod divide;
 mod expectation;
-mod grid;
+mod forces;
 mod growth;
+mod lanes;
 mod near;
+mod plan;
 mod recipe;
 mod relax;
 
 pub(crate) use bins::{Bins, Rim};
+pub use control::{Control, Use};
 pub use diary::{Day, DayCount, Diary, Lineage};
 pub use expectation::mean_descendants;
 pub use growth::{Growth, Progress};
-pub use recipe::{CellType, Recipe, RecipeError};
+pub use recipe::{CellType, Clock, Recipe, RecipeError};

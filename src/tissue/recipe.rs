@@ -29,6 +29,17 @@ impl CellType {
     }
 }
 
+/// How the time to a cell's next division is drawn, with the mean of its type's `division_days`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Clock {
+    /// Whole days (Thesis 3.2.1.2).
+    #[default]
+    Poisson,
+    /// Any time; without memory, so that a population grows as `exp(t / division_days)`.
+    Exponential,
+}
+
 /// Every number of a run (Thesis, 3.2.1 and Table 4.1). Arrays are indexed by `CellType`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -41,6 +52,7 @@ pub struct Recipe {
     /// Mean days between divisions of each type, over 1.
     #[serde(serialize_with = "write_row", deserialize_with = "read_days")]
     pub division_days: [f64; 3],
+    pub clock: Clock,
     /// Chance that the child of a cell of the row's type is of the column's type; rows sum to 1.
     #[serde(serialize_with = "write_mutation", deserialize_with = "read_mutation")]
     pub mutation: [[f64; 3]; 3],
@@ -51,6 +63,8 @@ pub struct Recipe {
     pub radius_scale: f32,
     /// Scalar repulsive force.
     pub repulsion: f32,
+    /// Weight of the direction field, 0: none, to 1: steps follow it. Without a field no matter.
+    pub anisotropy: f32,
     /// Relaxation events before day 0.
     pub initial_relaxations: u32,
     /// Relaxation events in a day.
@@ -63,22 +77,7 @@ pub struct Recipe {
 
 impl Default for Recipe {
     fn default() -> Recipe {
-        let mut adhesion = [[0.0; 3]; 3];
-        adhesion[0][0] = 0.5;
-        adhesion[1][1] = 0.8;
-        Recipe {
-            initial_cells: 2000,
-            initial_probability: [0.5, 0.5, 0.0],
-            division_days: [10.0; 3],
-            mutation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-            adhesion,
-            radius_scale: 1.0,
-            repulsion: 0.09,
-            initial_relaxations: 10,
-            relaxations_per_day: 10,
-            days: 35,
-            max_cells: 2_000_000,
-        }
+        Recipe::DEFAULT
     }
 }
 
@@ -88,6 +87,23 @@ impl Default for Recipe {
 pub struct RecipeError(pub String);
 
 impl Recipe {
+    /// The first croton of the thesis (Fig. 4.1), for all numbers that are not named.
+    pub const DEFAULT: Recipe = Recipe {
+        initial_cells: 2000,
+        initial_probability: [0.5, 0.5, 0.0],
+        division_days: [10.0; 3],
+        clock: Clock::Poisson,
+        mutation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        adhesion: [[0.5, 0.0, 0.0], [0.0, 0.8, 0.0], [0.0, 0.0, 0.0]],
+        radius_scale: 1.0,
+        repulsion: 0.09,
+        anisotropy: 0.0,
+        initial_relaxations: 10,
+        relaxations_per_day: 10,
+        days: 35,
+        max_cells: 2_000_000,
+    };
+
     /// Reads a recipe in JSON; what is left out has its default.
     pub fn from_json(text: &str) -> Result<Recipe, RecipeError> {
         if text.trim_start().starts_with('[') {
@@ -116,14 +132,7 @@ impl Recipe {
         }
         check_row("initial_probability", &self.initial_probability)?;
         for from in CellType::ALL {
-            let days = self.division_days[from as usize];
-            if !(days > 1.0 && days <= 500.0) {
-                return fail(format!(
-                    "division_days of {} is {days}: it must be over 1 and at most 500 days \
-                     (at or under ln 2 days the population would be infinite)",
-                    from.letter()
-                ));
-            }
+            check_days(from, self.division_days[from as usize])?;
             check_row(&format!("mutation of {}", from.letter()), &self.mutation[from as usize])?;
             for to in CellType::ALL {
                 let adhesion = self.adhesion[from as usize][to as usize];
@@ -145,6 +154,9 @@ impl Recipe {
         if !(0.0..=2.0).contains(&self.repulsion) {
             return fail(format!("repulsion is {}: it must be from 0 to 2", self.repulsion));
         }
+        if !(0.0..=1.0).contains(&self.anisotropy) {
+            return fail(format!("anisotropy is {}: it must be from 0 to 1", self.anisotropy));
+        }
         for (name, value, most) in [
             ("days", self.days, 1000),
             ("relaxations_per_day", self.relaxations_per_day, 1000),
@@ -162,6 +174,19 @@ impl Recipe {
         }
         Ok(())
     }
+}
+
+/// One rule for both clocks, though the exponential one would not need it: no change of the clock
+/// alone makes a recipe that cannot be grown.
+pub(super) fn check_days(kind: CellType, days: f64) -> Result<(), RecipeError> {
+    if days > 1.0 && days <= 500.0 {
+        return Ok(());
+    }
+    Err(RecipeError(format!(
+        "division_days of {} is {days}: it must be over 1 and at most 500 days (at or under ln 2 \
+         days the population would be infinite)",
+        kind.letter()
+    )))
 }
 
 fn check_row(name: &str, row: &[f64; 3]) -> Result<(), RecipeError> {

@@ -1,127 +1,230 @@
 //! Relaxation: the cells push each other away, all together (Thesis 3.2.1.1).
 
-use super::bins::Bins;
-use super::near::{Columns, Forces, Lanes, Near};
-use crate::surface::{Charts, Mesh, Place, walk};
-use glam::Vec2;
+use super::course::Course;
+use super::forces::{ForceLanes, Forces};
+use super::lanes::{LANES, lanes};
+use super::near::Near;
+use super::plan::{Neighbourhood, Own, Plan, look_cm};
+use crate::surface::{Mesh, Place, walk};
 use std::ops::Range;
-
-/// Cells that a bin should hold. Fewer, and most of the work is looking into bins; more, and it is
-/// looking at cells that are too far away.
-const CELLS_PER_BIN: f32 = 3.0;
+use wide::f32x4;
 
 /// The cells of one day in the order of their bins, so that cells that lie together in space lie
 /// together in memory. A bin is a triangle or, where many cells share one, one of the equal
-/// triangles that it is cut into. All columns end with `LANES` spare rows.
+/// triangles that it is cut into.
 #[derive(Clone, Debug, Default)]
 pub struct Crowd {
+    plan: Plan,
+    cells: usize,
     columns: Columns,
-    bins: Bins,
     /// The first cell of each bin, and the end of the last.
     starts: Vec<u32>,
-    /// Where the cells have moved to, before they are sorted again.
-    moved: Vec<Place>,
-    bin_of: Vec<u32>,
+    /// Where the cells have moved to, before they are sorted again, and the cells of each bin then.
+    moved: Moved,
+    counts: Vec<u32>,
     scratch: Columns,
     near: Near,
     /// Walks that ended among slivers instead of where they were going.
     pub caught_walks: u64,
 }
 
+/// All columns end with `LANES` spare rows.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Columns {
+    pub(super) b1: Vec<f32>,
+    pub(super) b2: Vec<f32>,
+    /// The type as a number, 0.0, 1.0 or 2.0.
+    pub(super) kind: Vec<f32>,
+    /// The cell's number.
+    cell: Vec<u32>,
+}
+
+#[derive(Clone, Debug, Default)]
+struct Moved {
+    b1: Vec<f32>,
+    b2: Vec<f32>,
+    bin: Vec<u32>,
+}
+
+impl Columns {
+    fn resize(&mut self, cells: usize) {
+        self.b1.resize(cells + LANES, 0.0);
+        self.b2.resize(cells + LANES, 0.0);
+        self.kind.resize(cells + LANES, 0.0);
+        self.cell.resize(cells + LANES, 0);
+    }
+}
+
 impl Crowd {
-    /// Takes up the cells of a day: their places and types by number.
-    pub fn gather(&mut self, mesh: &Mesh, cells: impl ExactSizeIterator<Item = (Place, u8)>) {
-        self.bins = Bins::new(mesh, cells.len(), CELLS_PER_BIN);
-        self.scratch.resize(cells.len());
-        self.columns.resize(cells.len());
-        self.near.reserve(cells.len());
-        self.moved.clear();
+    /// Takes up the cells of a day: their places and types by number. `radius` is the repulsive
+    /// radius of the day, in centimetres.
+    pub fn gather(
+        &mut self,
+        mesh: &Mesh,
+        cells: impl ExactSizeIterator<Item = (Place, u8)>,
+        radius: f32,
+    ) {
+        self.cells = cells.len();
+        self.plan.renew(mesh, self.cells, radius);
+        self.scratch.resize(self.cells);
+        self.columns.resize(self.cells);
+        self.moved.b1.resize(self.cells + LANES, 0.0);
+        self.moved.b2.resize(self.cells + LANES, 0.0);
+        self.moved.bin.resize(self.cells, 0);
+        self.near.reserve(self.cells);
+        self.counts.clear();
+        self.counts.resize(self.plan.bins_in_all() + 1, 0);
         for (number, (place, kind)) in cells.enumerate() {
-            self.moved.push(place);
             self.columns.cell[number] = number as u32;
             self.columns.kind[number] = f32::from(kind);
+            self.move_to(number, place);
         }
         self.sort();
     }
 
     /// The places of all cells by their numbers.
     pub fn places(&self) -> Vec<Place> {
-        let mut places = vec![Place::default(); self.moved.len()];
-        for triangle in 0..self.bins.sizes.len() {
-            for i in self.cells_of(triangle) {
-                places[self.columns.cell[i] as usize] = self.place(triangle, i);
+        let mut places = vec![Place::default(); self.cells];
+        for (slot, &triangle) in self.plan.order.iter().enumerate() {
+            for row in self.rows(self.plan.bins.of(slot)) {
+                places[self.columns.cell[row] as usize] = self.place(triangle, row);
             }
         }
         places
     }
 
-    /// One event: every displacement is computed from the old places, then all cells move.
-    pub fn relax(&mut self, mesh: &Mesh, charts: &mut Charts, forces: &Forces) {
-        let lanes = Lanes::new(forces);
-        for triangle in 0..mesh.triangles.len() {
-            let own = self.cells_of(triangle);
+    /// One event: every displacement is computed from the old places, then all cells move. `forces`
+    /// are of the radius that the cells were gathered with. With a course, each displacement is turned
+    /// along its direction field.
+    pub fn relax(&mut self, mesh: &Mesh, forces: &Forces, course: Option<&Course>) {
+        let force_lanes = ForceLanes::new(forces);
+        let look_cm = look_cm(mesh, self.cells, forces.radius);
+        for p in 0..self.plan.patches.len() {
+            let patch = self.plan.patches[p].clone();
+            let own = self.rows(self.plan.bins_of(&patch.own));
             if own.is_empty() {
                 continue;
             }
-            let images = charts.around(mesh, triangle as u32, forces.radius);
-            let home = &mesh.frames[triangle];
-            self.near.unfold(&self.columns, &self.bins, &self.starts, images, home, forces.radius);
-            let first = own.start;
-            for i in own {
-                let push = self.near.push(i - first, &lanes, self.columns.kind[i] as usize);
-                let step = cap(push * forces.repulsion, 0.5 * forces.radius);
-                let step = walk(mesh, self.place(triangle, i), step);
-                self.caught_walks += u64::from(step.caught);
-                self.moved[i] = step.place;
+            self.unfold(&patch, look_cm);
+            self.near.sort();
+            for row in own.clone() {
+                let at = self.near.at(row - own.start);
+                let kind = self.columns.kind[row] as usize;
+                let push = force_lanes.push(&self.near, self.near.windows(at), at, kind);
+                self.moved.b1[row] = push.x;
+                self.moved.b2[row] = push.y;
+            }
+            for slot in patch.own {
+                self.step(mesh, slot, forces, course);
             }
         }
         self.sort();
     }
 
-    fn cells_of(&self, triangle: usize) -> Range<usize> {
-        let bins = self.bins.of(triangle);
+    /// Moves the cells of a triangle as far as `moved` says they are pushed in the plane of its patch.
+    fn step(&mut self, mesh: &Mesh, slot: usize, forces: &Forces, course: Option<&Course>) {
+        let rows = self.rows(self.plan.bins.of(slot));
+        if rows.is_empty() {
+            return;
+        }
+        let Own { image, to_barycentric } = self.plan.own[slot];
+        let longest = f32x4::splat(0.5 * forces.radius);
+        let repulsion = f32x4::splat(forces.repulsion);
+        let [to_b1, to_b2] = to_barycentric.map(|v| (f32x4::splat(v.x), f32x4::splat(v.y)));
+        let mut row = rows.start;
+        while row < rows.end {
+            let x = lanes(&self.moved.b1, row) * repulsion;
+            let y = lanes(&self.moved.b2, row) * repulsion;
+            let squared = x * x + y * y;
+            let capped = squared.simd_gt(longest * longest);
+            let share = capped.select(longest / squared.sqrt(), f32x4::ONE);
+            let (x, y) = (x * share, y * share);
+            let (change_1, change_2) = (x * to_b1.0 + y * to_b1.1, x * to_b2.0 + y * to_b2.1);
+            let b1 = lanes(&self.columns.b1, row) + change_1;
+            let b2 = lanes(&self.columns.b2, row) + change_2;
+            let b0 = f32x4::ONE - b1 - b2;
+            let inside =
+                b0.simd_ge(f32x4::ZERO) & b1.simd_ge(f32x4::ZERO) & b2.simd_ge(f32x4::ZERO);
+            let bins = self.plan.bins.four_within(b1, b2).to_array();
+            let count = (rows.end - row).min(LANES);
+            // Along a course every step is turned first.
+            let inside = if course.is_none() { inside.to_bitmask() } else { 0 };
+            let (b1, b2) = (b1.to_array(), b2.to_array());
+            let (change_1, change_2) = (change_1.to_array(), change_2.to_array());
+            for lane in 0..count {
+                if inside & 1 << lane != 0 {
+                    let bin = (slot * self.plan.bins.in_triangle()) as u32 + bins[lane] as u32;
+                    self.put(row + lane, bin, b1[lane], b2[lane]);
+                } else {
+                    let triangle = image.triangle as usize;
+                    let step = mesh.frames[triangle].point(change_1[lane], change_2[lane]);
+                    let step = course.map_or(step, |course| course.turn(triangle, step));
+                    let end = walk(mesh, self.place(image.triangle, row + lane), step);
+                    self.caught_walks += u64::from(end.caught);
+                    self.move_to(row + lane, end.place);
+                }
+            }
+            row += LANES;
+        }
+    }
+
+    /// Lays the cells in and around a patch down in its plane, its own first.
+    fn unfold(&mut self, patch: &Neighbourhood, look_cm: f32) {
+        self.near.begin(patch.low, patch.high, look_cm);
+        for slot in patch.own.clone() {
+            let rows = self.rows(self.plan.bins.of(slot));
+            self.near.unfold(&self.columns, &self.plan.own[slot].image, rows);
+        }
+        for run in &self.plan.runs[patch.around.clone()] {
+            let rows = self.starts[run.first_bin as usize] as usize
+                ..self.starts[run.end_bin as usize] as usize;
+            self.near.unfold(&self.columns, &run.image, rows);
+        }
+    }
+
+    /// The rows of some bins.
+    fn rows(&self, bins: Range<usize>) -> Range<usize> {
         self.starts[bins.start] as usize..self.starts[bins.end] as usize
     }
 
-    fn place(&self, triangle: usize, row: usize) -> Place {
+    fn place(&self, triangle: u32, row: usize) -> Place {
         let (b1, b2) = (self.columns.b1[row], self.columns.b2[row]);
-        Place { triangle: triangle as u32, b1, b2 }
+        Place { triangle, b1, b2 }
+    }
+
+    fn move_to(&mut self, row: usize, place: Place) {
+        self.put(row, self.plan.bin(place), place.b1, place.b2);
+    }
+
+    #[inline]
+    fn put(&mut self, row: usize, bin: u32, b1: f32, b2: f32) {
+        self.counts[bin as usize + 1] += 1;
+        self.moved.b1[row] = b1;
+        self.moved.b2[row] = b2;
+        self.moved.bin[row] = bin;
     }
 
     /// Sorts the moved cells by their bins; those of one bin keep their order.
     fn sort(&mut self) {
-        let bins = self.bins.sizes.len() * self.bins.in_triangle();
-        self.starts.clear();
-        self.starts.resize(bins + 1, 0);
-        self.bin_of.clear();
-        for &place in &self.moved {
-            let bin = self.bins.bin(place);
-            self.starts[bin as usize + 1] += 1;
-            self.bin_of.push(bin);
-        }
+        std::mem::swap(&mut self.starts, &mut self.counts);
         let mut sum = 0;
         for start in &mut self.starts {
             sum += *start;
             *start = sum;
         }
-        for (row, (place, &bin)) in self.moved.iter().zip(&self.bin_of).enumerate() {
-            let slot = &mut self.starts[bin as usize];
+        self.counts.clone_from(&self.starts);
+        let (b1, b2) = (&self.moved.b1[..self.cells], &self.moved.b2[..self.cells]);
+        let (kind, cell) = (&self.columns.kind[..self.cells], &self.columns.cell[..self.cells]);
+        for (row, &bin) in self.moved.bin.iter().enumerate() {
+            let slot = &mut self.counts[bin as usize];
             let to = *slot as usize;
             *slot += 1;
-            self.scratch.b1[to] = place.b1;
-            self.scratch.b2[to] = place.b2;
-            self.scratch.kind[to] = self.columns.kind[row];
-            self.scratch.cell[to] = self.columns.cell[row];
+            self.scratch.b1[to] = b1[row];
+            self.scratch.b2[to] = b2[row];
+            self.scratch.kind[to] = kind[row];
+            self.scratch.cell[to] = cell[row];
         }
-        // Each start has moved on to the next bin's.
-        self.starts.copy_within(0..bins, 1);
-        self.starts[0] = 0;
+        self.counts.fill(0);
         std::mem::swap(&mut self.columns, &mut self.scratch);
     }
-}
-
-/// Shortens a step to `longest`.
-fn cap(step: Vec2, longest: f32) -> Vec2 {
-    let squared = step.length_squared();
-    if squared > longest * longest { step * (longest / squared.sqrt()) } else { step }
 }

@@ -32,7 +32,7 @@ fn without_a_link_the_page_opens_on_the_croton() {
 fn the_chooser_changes_the_plant() {
     let Some(page) = Page::open(Graphics::WebGpu, SOON) else { return };
     page.ready();
-    for plant in ["mushroom", "cactus", "watermelon", "croton"] {
+    for plant in ["mushroom", "cactus", "watermelon", "philodendron", "croton"] {
         page.choose(plant);
         let state = page.wait(plant, |s| s.plant == plant && !s.fingerprint.is_empty());
         assert_ne!(state.state, "error");

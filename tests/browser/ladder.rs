@@ -67,6 +67,36 @@ fn a_poster_stands_there_before_the_live_picture() {
     assert_eq!(page.state().state, "loading");
 }
 
+/// Opens a page that some files never reach, and waits until it says so.
+fn open_without(files: &str) -> Option<Page> {
+    let page = Page::start(Graphics::Neither)?;
+    page.devtools("Network.enable", json!({}));
+    page.devtools("Network.setBlockedURLs", json!({ "urls": [files] }));
+    page.visit(LINK);
+    let begun = std::time::Instant::now();
+    while page.state().state != "error" {
+        assert!(begun.elapsed().as_secs() < 20, "no error without {files}");
+        std::thread::sleep(std::time::Duration::from_millis(50));
+    }
+    let poster = "const p = document.getElementById('poster');
+                  return p.checkVisibility() && p.complete && p.naturalWidth > 100";
+    assert_eq!(page.run(poster), true, "the still picture stays");
+    Some(page)
+}
+
+#[test]
+fn a_mesh_that_does_not_come_is_told() {
+    let Some(page) = open_without("*.obj*") else { return };
+    let told = page.messages();
+    assert!(told.contains("watermelon") && told.contains("could not be loaded"), "{told}");
+}
+
+#[test]
+fn a_bundle_that_does_not_come_is_told() {
+    let Some(page) = open_without("*page_loader*") else { return };
+    assert!(page.messages().contains("could not be loaded"), "{}", page.messages());
+}
+
 #[test]
 fn a_lost_webgpu_device_comes_back_with_the_same_picture() {
     let Some(page) = Page::start(Graphics::WebGpu) else { return };

@@ -5,9 +5,11 @@
 
 mod journeys;
 mod ladder;
+mod measure;
 mod page;
 mod pixels;
 mod reach;
 mod sameness;
 mod server;
+mod start;
 mod webdriver;

@@ -6,8 +6,8 @@ use clonal_mosaic::mosaic::{Piece, polygons};
 use clonal_mosaic::plants;
 use clonal_mosaic::play::camera::{Camera, Sphere};
 use clonal_mosaic::play::link;
-use clonal_mosaic::surface::{Body, Charts, Images};
-use clonal_mosaic::tissue::{CellType, Growth, Progress};
+use clonal_mosaic::surface::{Body, Charts};
+use clonal_mosaic::tissue::{CellType, Progress};
 use glam::{Mat4, Vec2, Vec3};
 use std::sync::Arc;
 
@@ -80,14 +80,13 @@ struct Polygons {
 impl Polygons {
     fn grow(picture: &Picture) -> Polygons {
         let scene = link::read(LINK, plants::all()).scene;
-        let body = (scene.plant.body)();
+        let body = scene.plant.embedded_body();
         let mesh = Arc::new(body.surface.clone());
-        let controls = (scene.plant.controls)();
         let mut growth =
-            Growth::new(mesh.clone(), scene.recipe.clone(), &controls, scene.individual).unwrap();
+            scene.plant.sow(mesh.clone(), scene.recipe.clone(), scene.individual).unwrap();
         while growth.step() != Progress::Day(scene.day) {}
         let places = &growth.diary.days[scene.day as usize].places;
-        let mut charts = Charts::new(&mesh, Images::Visible);
+        let mut charts = Charts::new(&mesh);
         let mut pieces = vec![Vec::new(); mesh.triangles.len()];
         for piece in polygons(&mesh, &mut charts, places) {
             let kind = growth.diary.lineage[piece.cell as usize].kind;

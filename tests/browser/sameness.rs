@@ -3,7 +3,7 @@
 use crate::page::{Graphics, Page};
 use clonal_mosaic::plants;
 use clonal_mosaic::play::link;
-use clonal_mosaic::tissue::{Growth, Progress};
+use clonal_mosaic::tissue::Progress;
 use std::sync::Arc;
 
 /// The fingerprint of a link's day, grown natively.
@@ -11,9 +11,8 @@ fn native(text: &str) -> String {
     let opened = link::read(text, plants::all());
     assert!(opened.left_out.is_empty(), "{text}: {:?}", opened.left_out);
     let scene = opened.scene;
-    let mesh = Arc::new((scene.plant.body)().surface);
-    let controls = (scene.plant.controls)();
-    let mut growth = Growth::new(mesh, scene.recipe, &controls, scene.individual).unwrap();
+    let mesh = Arc::new(scene.plant.embedded_body().surface);
+    let mut growth = scene.plant.sow(mesh, scene.recipe, scene.individual).unwrap();
     while growth.step() != Progress::Day(scene.day) {}
     growth.diary.fingerprint(scene.day as usize)
 }
@@ -27,6 +26,7 @@ fn the_worker_grows_the_cells_that_grow_natively() {
         "cactus?v=1&s=0&d=2",
         "watermelon?v=1&s=17&d=8",
         "mushroom?v=1&s=3&d=2",
+        "philodendron?v=1&s=5&d=9",
     ] {
         page.visit(&format!("#{link}"));
         let state = page.ready();

@@ -37,7 +37,8 @@ impl Server {
         format!("http://127.0.0.1:{}{PREFIX}", self.port)
     }
 
-    /// The files that were asked for so far, without their queries.
+    /// The files that were asked for so far, without their queries. What the browser has in its
+    /// cache it does not ask for again.
     pub fn requested(&self) -> Vec<String> {
         self.requested.lock().expect("no answer panics").clone()
     }
@@ -64,7 +65,8 @@ fn answer(mut stream: TcpStream, folder: &Path, log: &Mutex<Vec<String>>) -> std
     };
     write!(
         stream,
-        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nConnection: close\r\n\r\n",
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\n\
+         Cache-Control: max-age=600\r\nConnection: close\r\n\r\n",
         bytes.len()
     )?;
     stream.write_all(&bytes)
@@ -78,8 +80,9 @@ fn media_type(file: &Path) -> &'static str {
         Some("css") => "text/css",
         Some("svg") => "image/svg+xml",
         Some("png") => "image/png",
-        Some("webp") => "image/webp",
+        Some("avif") => "image/avif",
         Some("ico") => "image/x-icon",
+        Some("obj") => "model/obj",
         Some("webmanifest" | "json") => "application/json",
         _ => "application/octet-stream",
     }

@@ -1,9 +1,9 @@
 //! Relaxation against the formula of the thesis written down pair by pair, and what must not matter
 //! to it.
 
-use crate::grow;
 use crate::meshes::{flat, flat_torus, icosphere, sheet};
-use clonal_mosaic::surface::Mesh;
+use crate::{grow, grow_along};
+use clonal_mosaic::surface::{DirectionField, Guide, Mesh};
 use clonal_mosaic::tissue::{Day, Recipe};
 use glam::{Vec2, Vec3};
 use std::sync::Arc;
@@ -79,6 +79,31 @@ fn a_day_moves_cells_as_the_formula_says() {
             longest = longest.max(push.length());
         }
         assert!(longest > 0.01, "somebody moved");
+    }
+}
+
+#[test]
+fn steps_turn_towards_the_direction_field_and_keep_their_length() {
+    let mesh = Arc::new(flat_torus(24, SIDE_CM));
+    let along = Vec2::new(0.8, -0.6);
+    let guide = Guide { triangle: 100, direction: along.extend(0.0) };
+    let field = DirectionField::new(&mesh, &[guide], 0.2).unwrap();
+    let free = grow(&mesh, &undivided(), 21);
+    let before = points(&mesh, &free.days[0]);
+    let pushed: Vec<Vec2> =
+        points(&mesh, &free.days[1]).iter().zip(&before).map(|(a, b)| short_way(*a - *b)).collect();
+    for anisotropy in [0.0, 0.3, 1.0] {
+        let recipe = Recipe { anisotropy, ..undivided() };
+        let led = grow_along(&mesh, &recipe, &field, 21);
+        assert_eq!(led.days[0], free.days[0], "before day 0 the field plays no part");
+        assert_eq!(led == free, anisotropy == 0.0, "with no weight not a bit is changed");
+        assert_eq!(grow(&mesh, &recipe, 21), free, "nor without a field");
+        for (i, after) in points(&mesh, &led.days[1]).into_iter().enumerate() {
+            let d = pushed[i];
+            let expected = d * (1.0 - anisotropy) + along * (anisotropy * d.length());
+            let moved = short_way(after - before[i]);
+            assert!((moved - expected).length() < 2e-5, "cell {i} moved {moved}, not {expected}");
+        }
     }
 }
 

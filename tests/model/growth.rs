@@ -3,9 +3,9 @@
 
 use crate::meshes::{blade, cube, flat, icosphere, shaken, sheet};
 use crate::{chi_square, grow, rare_chi_square, without_relaxation};
-use clonal_mosaic::surface::{Control, ControlImage, Cylinder, Mesh, Tone, Wrap};
-use clonal_mosaic::tissue::{CellType, Diary, Growth, Progress, Recipe};
-use glam::{Vec2, Vec3};
+use clonal_mosaic::surface::Mesh;
+use clonal_mosaic::tissue::{Clock, Diary, Growth, Progress, Recipe};
+use glam::Vec2;
 use std::sync::Arc;
 
 #[test]
@@ -19,6 +19,8 @@ fn invariants_hold_on_every_body() {
         ..Recipe::default()
     };
     let far = Recipe { radius_scale: 4.0, repulsion: 0.02, ..recipe.clone() };
+    // Some cells divide several times in a day.
+    let at_any_time = Recipe { clock: Clock::Exponential, ..recipe.clone() };
     for mesh in [
         icosphere(4, 10.0),
         icosphere(0, 10.0),
@@ -27,7 +29,7 @@ fn invariants_hold_on_every_body() {
         sheet(10, 4.0, shaken(4.0, 0.1)),
     ] {
         let mesh = Arc::new(mesh);
-        for recipe in [&recipe, &far] {
+        for recipe in [&recipe, &far, &at_any_time] {
             check_diary(&mesh, recipe, &grow(&mesh, recipe, 9));
         }
     }
@@ -131,7 +133,7 @@ fn first_cells_are_spread_evenly_by_area() {
 }
 
 #[test]
-fn first_cells_have_the_types_of_the_recipe_and_the_control_image() {
+fn first_cells_have_the_types_of_the_recipe() {
     let mesh = Arc::new(icosphere(3, 10.0));
     let recipe = Recipe {
         initial_cells: 20_000,
@@ -142,48 +144,6 @@ fn first_cells_have_the_types_of_the_recipe_and_the_control_image() {
     let counts = grow(&mesh, &recipe, 2).count(0).by_type.map(f64::from);
     let distance = chi_square(&counts, &[12_000.0, 6_000.0, 2_000.0]);
     assert!(distance < rare_chi_square(2), "{counts:?}");
-
-    let cylinder =
-        Cylinder { base: Vec3::new(0.0, -10.0, 0.0), axis: Vec3::Y, zero: Vec3::X, height: 20.0 };
-    let image = ControlImage::paint(1, 2, |_, height| height > 0.5);
-    let control = Control { wrap: Wrap::Cylinder(cylinder), image };
-    let mut growth = Growth::new(mesh.clone(), recipe, &[control], 2).unwrap();
-    while growth.step() != Progress::Done {}
-    let mut above = [0u32; 3];
-    for (place, cell) in growth.diary.days[0].places.iter().zip(&growth.diary.lineage) {
-        let high = mesh.point(*place).y > 0.0;
-        assert!(high || cell.kind != CellType::Foreground, "F only where the image is white");
-        above[cell.kind as usize] += u32::from(high);
-    }
-    let all = growth.diary.count(0).by_type.map(f64::from);
-    assert_eq!(above[0] as f64, all[0]);
-    assert_eq!(all[2], counts[2], "M is not the image's business");
-    assert_eq!(all[0] + all[1], counts[0] + counts[1], "what is not F is B");
-}
-
-#[test]
-fn where_a_control_image_is_grey_a_first_f_cell_becomes_m() {
-    let mesh = Arc::new(sheet(4, 8.0, flat));
-    let recipe = Recipe {
-        initial_cells: 3_000,
-        initial_probability: [0.5, 0.5, 0.0],
-        days: 0,
-        ..without_relaxation()
-    };
-    let cylinder = Cylinder { base: Vec3::ZERO, axis: Vec3::Y, zero: Vec3::X, height: 8.0 };
-    let image = ControlImage::paint(1, 2, |_, height| match height > 0.5 {
-        true => Tone::White,
-        false => Tone::Grey,
-    });
-    let control = Control { wrap: Wrap::Cylinder(cylinder), image };
-    let before = grow(&mesh, &recipe, 3);
-    let mut growth = Growth::new(mesh.clone(), recipe, &[control], 3).unwrap();
-    while growth.step() != Progress::Done {}
-    for (cell, (was, is)) in before.lineage.iter().zip(&growth.diary.lineage).enumerate() {
-        let low = mesh.point(growth.diary.days[0].places[cell]).y < 4.0;
-        let turned = low && was.kind == CellType::Foreground;
-        assert_eq!(is.kind, if turned { CellType::Middle } else { was.kind });
-    }
 }
 
 #[test]

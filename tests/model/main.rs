@@ -1,6 +1,8 @@
 //! The model against what is known of it from outside: exact expectations, invariants, and a force
 //! and a walk written down a second time in the plainest way.
 
+mod controls;
+mod field;
 mod forces;
 mod growth;
 mod meshes;
@@ -10,7 +12,7 @@ mod population;
 mod recipes;
 mod walking;
 
-use clonal_mosaic::surface::Mesh;
+use clonal_mosaic::surface::{DirectionField, Mesh};
 use clonal_mosaic::tissue::{Diary, Growth, Progress, Recipe};
 use std::sync::Arc;
 
@@ -19,6 +21,14 @@ fn grow(mesh: &Arc<Mesh>, recipe: &Recipe, seed: u32) -> Diary {
     let mut growth = Growth::new(mesh.clone(), recipe.clone(), &[], seed).unwrap();
     while !matches!(growth.step(), Progress::Done | Progress::Full) {}
     assert_eq!(growth.caught_walks(), 0, "walks were caught among slivers");
+    growth.diary
+}
+
+/// As `grow`, along a direction field.
+fn grow_along(mesh: &Arc<Mesh>, recipe: &Recipe, field: &DirectionField, seed: u32) -> Diary {
+    let growth = Growth::new(mesh.clone(), recipe.clone(), &[], seed).unwrap();
+    let mut growth = growth.along(field.clone());
+    while growth.step() != Progress::Done {}
     growth.diary
 }
 

@@ -4,7 +4,7 @@
 use crate::grow;
 use crate::meshes::icosphere;
 use clonal_mosaic::mosaic::{Piece, polygons};
-use clonal_mosaic::surface::{Charts, Images};
+use clonal_mosaic::surface::Charts;
 use clonal_mosaic::tissue::{CellType, Recipe};
 use glam::Vec2;
 use std::collections::{BTreeMap, BTreeSet};
@@ -23,7 +23,7 @@ fn pattern(recipe: &Recipe, seed: u32) -> (usize, Pattern) {
     let mesh = Arc::new(icosphere(4, 10.0));
     let diary = grow(&mesh, recipe, seed);
     let places = &diary.days.last().unwrap().places;
-    let mut charts = Charts::new(&mesh, Images::Visible);
+    let mut charts = Charts::new(&mesh);
     let pieces = polygons(&mesh, &mut charts, places);
     let kind = |cell: u32| diary.lineage[cell as usize].kind;
     let area: f64 = pieces

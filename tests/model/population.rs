@@ -2,7 +2,7 @@
 
 use crate::meshes::icosphere;
 use crate::{chi_square, grow, rare_chi_square, without_relaxation};
-use clonal_mosaic::tissue::{Diary, Recipe, mean_descendants};
+use clonal_mosaic::tissue::{Clock, Diary, Recipe, mean_descendants};
 use std::sync::Arc;
 
 /// Means over so many independent clans stay within this many standard errors but for one run in
@@ -53,6 +53,56 @@ fn populations_with_mutation_are_those_expected() {
 }
 
 #[test]
+fn populations_of_exponential_clocks_are_those_expected() {
+    let recipe = Recipe {
+        initial_cells: 20_000,
+        initial_probability: [0.1, 0.8, 0.1],
+        division_days: [4.0, 6.0, 9.0],
+        clock: Clock::Exponential,
+        mutation: [[0.9, 0.05, 0.05], [0.02, 0.98, 0.0], [0.3, 0.3, 0.4]],
+        days: 12,
+        ..without_relaxation()
+    };
+    check_populations(&recipe, &[0, 7, 2026], &[1, 5, 12]);
+}
+
+#[test]
+fn clans_of_exponential_clocks_are_of_geometric_sizes() {
+    // A Yule process: a clan has n cells at time t with chance p (1 - p)^(n - 1), p = exp(-t / D).
+    // Times are real, and what falls due before day t has divided: nothing is lost to whole days.
+    let mesh = Arc::new(icosphere(0, 10.0));
+    let founders = 100_000u32;
+    for (mean_days, days) in [(1.2, 3), (5.0, 10), (9.0, 4)] {
+        let recipe = Recipe {
+            initial_cells: founders,
+            division_days: [mean_days; 3],
+            clock: Clock::Exponential,
+            days,
+            ..without_relaxation()
+        };
+        let mut sizes = vec![0usize; founders as usize];
+        for cell in &grow(&mesh, &recipe, 6).lineage {
+            sizes[cell.founder as usize] += 1;
+        }
+        let p = libm::exp(-f64::from(days) / mean_days);
+        let mut expected = Vec::new();
+        let mut rest = f64::from(founders);
+        while rest > 50.0 {
+            expected.push(rest * p);
+            rest *= 1.0 - p;
+        }
+        let largest = expected.len();
+        expected.push(rest);
+        let mut found = vec![0.0; largest + 1];
+        for size in sizes {
+            found[(size - 1).min(largest)] += 1.0;
+        }
+        let distance = chi_square(&found, &expected);
+        assert!(distance < rare_chi_square(largest), "D = {mean_days}: {distance}");
+    }
+}
+
+#[test]
 fn relaxation_does_not_change_who_is_born() {
     let mesh = Arc::new(icosphere(3, 10.0));
     let still = Recipe { initial_cells: 500, days: 12, ..without_relaxation() };
@@ -88,13 +138,27 @@ fn children_are_of_the_types_of_the_mutation_matrix() {
 
 #[test]
 fn first_divisions_come_at_poisson_times() {
+    let chance = |k: usize| (1..=k).fold(libm::exp(-MEAN_DAYS), |q, j| q * MEAN_DAYS / j as f64);
+    check_first_divisions(Clock::Poisson, chance);
+}
+
+#[test]
+fn first_divisions_come_at_exponential_times() {
+    let waits = |k: usize| libm::exp(-(k as f64) / MEAN_DAYS);
+    check_first_divisions(Clock::Exponential, |k| waits(k) - waits(k + 1));
+}
+
+const MEAN_DAYS: f64 = 6.0;
+
+/// `chance(k)`: that a first cell divides on day k for the first time.
+fn check_first_divisions(clock: Clock, chance: impl Fn(usize) -> f64) {
     let mesh = Arc::new(icosphere(1, 10.0));
-    const MEAN_DAYS: f64 = 6.0;
     const DAYS: usize = 16;
     let founders = 50_000;
     let recipe = Recipe {
         initial_cells: founders,
         division_days: [MEAN_DAYS; 3],
+        clock,
         days: DAYS as u32,
         ..without_relaxation()
     };
@@ -111,12 +175,7 @@ fn first_divisions_come_at_poisson_times() {
     for day in first {
         found[day.min(DAYS)] += 1.0;
     }
-    let mut expected: Vec<f64> = Vec::new();
-    let mut chance = libm::exp(-MEAN_DAYS);
-    for k in 0..DAYS {
-        expected.push(chance * f64::from(founders));
-        chance *= MEAN_DAYS / (k + 1) as f64;
-    }
+    let mut expected: Vec<f64> = (0..DAYS).map(|k| chance(k) * f64::from(founders)).collect();
     expected.push(f64::from(founders) - expected.iter().sum::<f64>());
     let distance = chi_square(&found, &expected);
     assert!(distance < rare_chi_square(DAYS), "{distance}: {found:?} and not {expected:?}");
@@ -128,7 +187,10 @@ fn check_populations(recipe: &Recipe, seeds: &[u32], days: &[usize]) {
     let mesh = Arc::new(icosphere(1, 10.0));
     let diaries: Vec<Diary> = seeds.iter().map(|&seed| grow(&mesh, recipe, seed)).collect();
     for &day in days {
-        let expected = expected_clan(recipe, day - 1);
+        let expected = match recipe.clock {
+            Clock::Poisson => expected_clan(recipe, day - 1),
+            Clock::Exponential => expected_yule_clan(recipe, day),
+        };
         let mut clans = Vec::new();
         for diary in &diaries {
             let mut of_seed = vec![[0.0; 3]; recipe.initial_cells as usize];
@@ -186,4 +248,23 @@ fn expected_clan(recipe: &Recipe, t: usize) -> [f64; 3] {
         m.push(today);
     }
     std::array::from_fn(|u| (0..3).map(|s| recipe.initial_probability[s] * m[t][s][u]).sum())
+}
+
+/// Mean number of cells of each type that descend from one first cell at time `day` when clocks have
+/// no memory: `m' = m R` with the rates `R = mutation / division_days` of the rows' types, in steps
+/// of Taylor series.
+fn expected_yule_clan(recipe: &Recipe, day: usize) -> [f64; 3] {
+    let rate = |s: usize, u: usize| recipe.mutation[s][u] / recipe.division_days[s];
+    let born = |m: [f64; 3]| -> [f64; 3] {
+        std::array::from_fn(|u| (0..3).map(|s| m[s] * rate(s, u)).sum())
+    };
+    let mut mean = recipe.initial_probability;
+    for _ in 0..day {
+        let mut term = mean;
+        for k in 1..20 {
+            term = born(term).map(|x| x / f64::from(k));
+            mean = std::array::from_fn(|u| mean[u] + term[u]);
+        }
+    }
+    mean
 }

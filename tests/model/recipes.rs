@@ -1,6 +1,6 @@
 //! Recipes as text: what is read, what is refused, and in which words.
 
-use clonal_mosaic::tissue::Recipe;
+use clonal_mosaic::tissue::{Clock, Recipe};
 
 /// The recipe of the command line's manual, whole.
 const WHOLE: &str = r#"{"initial_cells":2000, "initial_probability":{"F":0.5,"B":0.5},
@@ -28,6 +28,10 @@ fn what_is_left_out_has_its_default() {
     assert_eq!(recipe.division_days[1], Recipe::default().division_days[1]);
     assert_eq!((recipe.adhesion[0][1], recipe.adhesion[1][0]), (0.2, 0.2));
     assert_eq!(recipe.adhesion[0][0], Recipe::default().adhesion[0][0]);
+    assert_eq!((recipe.clock, recipe.anisotropy), (Clock::Poisson, 0.0));
+    let recipe = Recipe::from_json(r#"{"clock":"exponential","anisotropy":0.25}"#).unwrap();
+    assert_eq!((recipe.clock, recipe.anisotropy), (Clock::Exponential, 0.25));
+    assert_eq!(Recipe::from_json(&recipe.to_json()).unwrap(), recipe);
 }
 
 #[test]
@@ -53,6 +57,10 @@ fn what_cannot_be_grown_is_refused_in_plain_words() {
         (r#"{"radius_scale":0}"#, "radius_scale is 0"),
         (r#"{"radius_scale":1e9}"#, "radius_scale"),
         (r#"{"repulsion":-1}"#, "repulsion is -1"),
+        (r#"{"anisotropy":1.5}"#, "anisotropy is 1.5: it must be from 0 to 1"),
+        (r#"{"anisotropy":-0.1}"#, "anisotropy is -0.1"),
+        (r#"{"clock":"sundial"}"#, "sundial"),
+        (r#"{"clock":"exponential","division_days":{"F":0.9}}"#, "division_days of F is 0.9"),
         (r#"{"relaxations_per_day":5000}"#, "relaxations_per_day is 5000"),
         (r#"{"max_cells":10}"#, "max_cells is 10"),
     ] {

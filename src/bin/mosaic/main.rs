@@ -11,7 +11,6 @@ use report::{DayLine, Report};
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// What is said, on one line, about input that cannot be used.
@@ -44,13 +43,10 @@ fn grow(options: &Options) -> Result<(), Refusal> {
     };
 
     let started = Instant::now();
-    let mesh = Arc::new(subject.mesh);
     let max_cells = subject.recipe.max_cells;
-    let mut growth =
-        Growth::new(mesh.clone(), subject.recipe, &subject.controls, subject.individual)
-            .map_err(|e| e.to_string())?;
+    let mut growth = subject.sow()?;
     let mut growing = started.elapsed();
-    let mut report = Report::new(subject.plant, subject.individual);
+    let mut report = Report::new(subject.plant.map(|plant| plant.key), subject.individual);
     loop {
         let (progress, time) = next_day(&mut growth);
         growing += time;
@@ -76,7 +72,7 @@ fn grow(options: &Options) -> Result<(), Refusal> {
 
     if let Some((path, file)) = &mut table {
         let mut out = BufWriter::new(file);
-        write_cells(&mesh, &growth.diary, growth.diary.days.len() - 1, &mut out)
+        write_cells(&subject.mesh, &growth.diary, growth.diary.days.len() - 1, &mut out)
             .and_then(|()| out.flush())
             .map_err(|e| cannot("write", path, &e))?;
     }

@@ -4,19 +4,32 @@ use super::options::{FIRST_PLANT, Options, Source};
 use super::{Refusal, cannot};
 use clonal_mosaic::plants::{self, Plant};
 use clonal_mosaic::play::{FIRST_INDIVIDUAL, link};
-use clonal_mosaic::surface::{Body, Control, Mesh, PolygonMesh};
-use clonal_mosaic::tissue::Recipe;
+use clonal_mosaic::surface::{Body, Mesh, PolygonMesh};
+use clonal_mosaic::tissue::{Growth, Recipe};
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 pub struct Subject {
-    /// The plant's word in links, or nothing for a recipe on a mesh of the caller's own.
-    pub plant: Option<&'static str>,
-    pub mesh: Mesh,
-    pub controls: Vec<Control>,
+    /// The plant, or nothing for a recipe on a mesh of the caller's own.
+    pub plant: Option<&'static Plant>,
+    pub mesh: Arc<Mesh>,
+    /// The control images and the direction field of a plant belong to its own body alone.
+    on_own_body: bool,
     /// Its `days` are the days to grow.
     pub recipe: Recipe,
     pub individual: u32,
+}
+
+impl Subject {
+    pub fn sow(&self) -> Result<Growth, Refusal> {
+        let (mesh, recipe) = (self.mesh.clone(), self.recipe.clone());
+        let growth = match self.plant {
+            Some(plant) if self.on_own_body => plant.sow(mesh, recipe, self.individual),
+            _ => Growth::new(mesh, recipe, &[], self.individual),
+        };
+        growth.map_err(|e| e.to_string())
+    }
 }
 
 /// What a source alone says.
@@ -39,16 +52,15 @@ pub fn load(options: &Options) -> Result<Subject, Refusal> {
         return Err(format!("--day is {day}, but this recipe ends at day {}", recipe.days));
     }
     recipe.days = day;
-    let (mesh, controls) = match (&options.mesh, plant) {
-        (None, Some(plant)) => ((plant.body)().surface, (plant.controls)()),
-        // The cylinders of a plant stand around its own body, not around the caller's.
-        (Some(path), _) => (read_mesh(path)?, Vec::new()),
+    let mesh = match (&options.mesh, plant) {
+        (None, Some(plant)) => plant.embedded_body().surface,
+        (Some(path), _) => read_mesh(path)?,
         (None, None) => unreachable!("a recipe without a mesh has the first plant's body"),
     };
     Ok(Subject {
-        plant: plant.map(|plant| plant.key),
-        mesh,
-        controls,
+        plant,
+        mesh: Arc::new(mesh),
+        on_own_body: options.mesh.is_none(),
         recipe,
         individual: options.individual.unwrap_or(individual),
     })

@@ -3,7 +3,7 @@
 
 // For each triangle: first site, number of sites, bits of the scale, 0. Rows of 2048.
 @group(2) @binding(0) var heads: texture_2d<u32>;
-// Each site: place now, place before, cell, type. Rows of 2048.
+// Two sites each, packed as `Site` in `mosaic/sites.rs` says. Rows of 2048.
 @group(2) @binding(1) var sites: texture_2d<u32>;
 
 // Half the width of a border, as a share of the mean spacing of the cells.
@@ -19,34 +19,26 @@ struct Near {
     // From the fragment, in units of the list's scale.
     offset: vec2f,
     distance2: f32,
-    site: u32,
+    tag: u32,
 }
 
-struct Cell {
-    number: u32,
-    colour: vec3f,
+fn unpack(words: vec2u, shift: u32) -> vec2f {
+    return vec2f((words >> vec2u(shift)) & vec2u(0xfffu));
 }
 
-fn unpack(word: u32) -> vec2f {
-    return vec2f(f32(word & 0xffffu), f32(word >> 16u));
+fn kind_of(tag: u32) -> u32 {
+    return tag & 3u;
 }
 
-// A number from 0 to 1 that belongs to the cell (the finaliser of MurmurHash3).
-fn chance(cell: u32) -> f32 {
-    var h = cell * 0x9e3779b1u + 0x7f4a7c15u;
-    h = (h ^ (h >> 16u)) * 0x85ebca6bu;
-    h = (h ^ (h >> 13u)) * 0xc2b2ae35u;
-    return f32((h ^ (h >> 16u)) & 0xffffu) / 65535.0;
+fn colour_of(tag: u32) -> vec3f {
+    let lightness = 1.0 + scene.look.x * (2.0 / 127.0 * f32(tag >> 9u) - 1.0);
+    return scene.cells[kind_of(tag)].rgb * lightness * lightness;
 }
 
-fn read_site(site: u32) -> vec4u {
-    return textureLoad(sites, vec2u(site & 2047u, site >> 11u), 0);
-}
-
-fn read_cell(site: u32) -> Cell {
-    let words = read_site(site);
-    let lightness = 1.0 + scene.look.x * (2.0 * chance(words.z) - 1.0);
-    return Cell(words.z, scene.cells[words.w & 3u].rgb * lightness * lightness);
+// Of two cells that stand on one spot, whether the first was born of the second.
+fn is_child(tag: u32, other: u32) -> bool {
+    // Newborn and number stand next to each other in a tag.
+    return (tag & 4u) != 0u && ((other & 4u) == 0u || (tag & 0x1f8u) > (other & 0x1f8u));
 }
 
 // `place` in the plane of the triangle, with its derivatives along x and y of the screen.
@@ -56,7 +48,7 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
         return Mosaic(scene.cells[1].rgb, vec2f(0.0));
     }
     let scale = bitcast<f32>(head.z);
-    let here = place / scale + 32768.0;
+    let here = place / scale + 2048.0;
     let spacing = scene.tissue.x;
     let pixel = max(length(place_dx), length(place_dy));
     // 1: cells are seen one by one; 0: they are smaller than a pixel and a half.
@@ -68,10 +60,17 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
     var second = first;
     var third = first;
     var shares = vec3f(0.0);
-    for (var i = head.x; i < head.x + head.y; i++) {
-        let words = read_site(i);
-        let offset = mix(unpack(words.y), unpack(words.x), scene.eye.w) - here;
-        let near = Near(offset, dot(offset, offset), i);
+    var pair = vec4u(0u);
+    for (var i = 0u; i < head.y; i++) {
+        if (i & 1u) == 0u {
+            let texel = (head.x + i) >> 1u;
+            pair = textureLoad(sites, vec2u(texel & 2047u, texel >> 11u), 0);
+        } else {
+            pair = pair.zwxy;
+        }
+        let tag = (pair.x >> 24u) | ((pair.y >> 24u) << 8u);
+        let offset = mix(unpack(pair.xy, 12u), unpack(pair.xy, 0u), scene.eye.w) - here;
+        let near = Near(offset, dot(offset, offset), tag);
         if near.distance2 < third.distance2 {
             if near.distance2 < second.distance2 {
                 third = second;
@@ -87,12 +86,11 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
         }
         if apart < 1.0 {
             let weight = max(1.0 - near.distance2 * per_radius2, 0.0);
-            shares += weight * weight * vec3f(vec3u(words.w & 3u) == vec3u(0u, 1u, 2u));
+            shares += weight * weight * vec3f(vec3u(kind_of(tag)) == vec3u(0u, 1u, 2u));
         }
     }
 
-    let own = read_cell(first.site);
-    var colour = own.colour;
+    var colour = colour_of(first.tag);
     var line = 0.0;
     var slope = vec2f(0.0);
     let half_line = BORDER_SHARE * spacing;
@@ -112,16 +110,15 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
         let width = max(length(vec2f(dot(across, place_dx), dot(across, place_dy))), 1e-9);
         // A newborn cell stands where its parent stands: its border and its colour come as they part.
         let parted = smoothstep(0.0, 0.3, apart_cm / spacing);
-        let neighbour = read_cell(other.site);
-        if neighbour.number == own.number {
+        if other.tag == first.tag {
             // Its other image, seen on the far side of a curved vertex: no border.
             continue;
         }
         var kept = mix(1.0, clamp(0.5 + to_border / width, 0.0, 1.0), parted);
-        if neighbour.number < own.number && parted < 1.0 {
+        if parted < 1.0 && is_child(first.tag, other.tag) {
             kept = max(parted, scene.eye.w);
         }
-        colour = mix(neighbour.colour, colour, kept);
+        colour = mix(colour_of(other.tag), colour, kept);
         let drawn = max(half_line, 0.5 * width);
         let cover = clamp(0.5 + (drawn - to_border) / width, 0.0, 1.0) * half_line / drawn;
         line = max(line, cover * parted);

@@ -1,0 +1,72 @@
+//! The first code of the page, and small: finds out what there is to draw with, and loads the one
+//! bundle for that.
+
+use super::dom::{document, find, set_attribute, set_flag, window};
+use crate::play::protocol::BUILD;
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{Element, HtmlCanvasElement, HtmlScriptElement};
+
+/// Loads the bundle for WebGL2 where there is nothing better, else the small one for WebGPU: that
+/// one can show the still picture just as well.
+pub async fn boot() {
+    let bundle = if !has_webgpu().await && has_webgl2() { "page_gl" } else { "page" };
+    load(bundle, || {
+        let text = "The playground could not be loaded. Please load the page again.";
+        find::<Element>("message-list").set_text_content(Some(text));
+        set_flag(&find::<Element>("messages"), "hidden", false);
+        if let Some(root) = document().document_element() {
+            set_attribute(&root, "data-state", "error");
+        }
+    });
+}
+
+/// Loads a bundle and starts its page.
+pub fn load(bundle: &str, on_failure: impl FnOnce() + 'static) {
+    // The loader would ask for these one after the other.
+    preload(&format!("./{bundle}.js"), "modulepreload", "script");
+    preload(&format!("./{bundle}_bg.wasm"), "preload", "fetch");
+    let script = document().create_element("script").expect("documents make scripts");
+    let script: HtmlScriptElement = script.unchecked_into();
+    script.set_type("module");
+    script.set_src(&loader(bundle));
+    script.set_onerror(Some(Closure::once_into_js(on_failure).unchecked_ref()));
+    append_to_head(&script);
+}
+
+/// The address of the script that starts a bundle. It carries our build, so that no cache answers
+/// with another.
+pub fn loader(bundle: &str) -> String {
+    format!("./{bundle}_loader.js?build={BUILD}")
+}
+
+fn preload(address: &str, how: &str, kind: &str) {
+    let link = document().create_element("link").expect("documents make links");
+    set_attribute(&link, "rel", how);
+    set_attribute(&link, "as", kind);
+    set_attribute(&link, "crossorigin", "anonymous");
+    set_attribute(&link, "href", address);
+    append_to_head(&link);
+}
+
+fn append_to_head(element: &Element) {
+    let _ = document().head().expect("a page has a head").append_child(element);
+}
+
+/// Whether the browser has WebGPU and something to run it on.
+async fn has_webgpu() -> bool {
+    let adapter = || {
+        let gpu = js_sys::Reflect::get(&window().navigator(), &"gpu".into()).ok()?;
+        let ask = js_sys::Reflect::get(&gpu, &"requestAdapter".into()).ok()?;
+        let asked = ask.dyn_ref::<js_sys::Function>()?.call0(&gpu).ok()?;
+        asked.dyn_into::<js_sys::Promise>().ok()
+    };
+    let Some(adapter) = adapter() else { return false };
+    JsFuture::from(adapter).await.is_ok_and(|adapter| adapter.is_truthy())
+}
+
+pub fn has_webgl2() -> bool {
+    let canvas = document().create_element("canvas").ok();
+    let canvas = canvas.and_then(|c| c.dyn_into::<HtmlCanvasElement>().ok());
+    canvas.is_some_and(|c| matches!(c.get_context("webgl2"), Ok(Some(_))))
+}

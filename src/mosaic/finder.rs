@@ -1,0 +1,122 @@
+//! Finds the sites of each triangle's list, day by day.
+
+use super::near::{Home, Near, Picked, SortedCells};
+use super::sites::{FARTHEST_STEPS, Head, Site, SiteLists, Tag};
+use crate::surface::{Charts, Mesh};
+use crate::tissue::{Diary, Rim};
+use glam::Vec2;
+
+/// Makes the site lists of the days of one mesh. It keeps its memory from day to day, and what it
+/// learnt of distances.
+#[derive(Debug)]
+pub struct SiteFinder {
+    charts: Charts,
+    cells: SortedCells,
+    near: Near,
+    picked: Picked,
+    /// How far from each triangle sites had to be looked for the last time, in mean spacings.
+    reach: Vec<f32>,
+    /// For each cell the list that it was last put in, and its number there.
+    number_of: Vec<(u32, u32)>,
+    /// The cell of each site of the lists found last.
+    pub cell_of: Vec<u32>,
+}
+
+/// Sites are kept this much farther out than the nearest one asks for, in mean spacings: room for the
+/// drawn border between two cells.
+const BORDER_ROOM: f32 = 0.15;
+
+/// First guess of the distance in which a triangle finds all its sites, in mean spacings.
+const FIRST_REACH: f32 = 1.3;
+
+/// From day 1 on, when cells have moved, charts reach at least so far, in mean spacings: then those of
+/// day 1 serve all days. Day 0, for whose picture everybody waits, needs smaller ones.
+const SMALLEST_CHART: f32 = 2.3;
+
+impl SiteFinder {
+    pub fn new(mesh: &Mesh) -> SiteFinder {
+        SiteFinder {
+            charts: Charts::new(mesh),
+            cells: SortedCells::default(),
+            near: Near::default(),
+            picked: Picked::default(),
+            reach: vec![FIRST_REACH; mesh.triangles.len()],
+            number_of: Vec::new(),
+            cell_of: Vec::new(),
+        }
+    }
+
+    /// The lists of a day of the mesh that the finder was made for.
+    pub fn find(&mut self, mesh: &Mesh, diary: &Diary, day: usize) -> SiteLists {
+        let spacing = (mesh.area / diary.days[day].places.len() as f32).sqrt();
+        let room = BORDER_ROOM * spacing;
+        let born_before = diary.days[day.saturating_sub(1)].places.len() as u32;
+        self.cells.gather(mesh, &mut self.charts, diary, day, spacing);
+        self.cell_of.clear();
+        self.number_of.clear();
+        self.number_of.resize(diary.days[day].places.len(), (u32::MAX, 0));
+        let mut lists =
+            SiteLists { heads: Vec::with_capacity(mesh.triangles.len()), sites: Vec::new() };
+        for (triangle, frame) in mesh.frames.iter().enumerate() {
+            let home = Home { frame, rim: Rim::new(frame), size: self.cells.size(triangle) };
+            let mut reach = self.reach[triangle] * spacing;
+            let bound = loop {
+                let radius = reach + self.cells.longest_motion;
+                let chart = if day == 0 { radius } else { radius.max(SMALLEST_CHART * spacing) };
+                let images = self.charts.around(mesh, triangle as u32, chart);
+                self.near.gather(&self.cells, images, &home.rim, radius);
+                let bound = self.near.bound(&self.cells, triangle, frame, spacing) + room;
+                // On a part without cells no reach is enough.
+                if bound <= reach || reach > mesh.area {
+                    break bound;
+                }
+                reach = if bound.is_finite() { bound } else { reach * 2.0 };
+            };
+            self.reach[triangle] = (bound * 1.05 / spacing).min(8.0);
+            self.near.pick(&mut self.picked, &home, bound, room, spacing);
+            self.write(&home, born_before, &mut lists);
+        }
+        lists
+    }
+
+    /// Appends the list of a triangle.
+    fn write(&mut self, home: &Home, born_before: u32, lists: &mut SiteLists) {
+        let centroid = (home.frame.apex + Vec2::new(home.frame.length, 0.0)) / 3.0;
+        let farthest = self.picked.sites().fold(Vec2::ZERO, |most, site| {
+            most.max((site.now - centroid).abs()).max((site.before - centroid).abs())
+        });
+        let scale_cm = farthest.max_element() / FARTHEST_STEPS + f32::MIN_POSITIVE;
+        let first = lists.sites.len();
+        for site in self.picked.sites() {
+            let here = lists.heads.len() as u32;
+            let next = (self.cell_of.len() - first) as u32;
+            let number = &mut self.number_of[site.cell as usize];
+            if number.0 != here {
+                *number = (here, next);
+            }
+            let tag = Tag {
+                kind: site.kind,
+                is_newborn: site.cell >= born_before,
+                number: number.1,
+                lightness: lightness(site.cell),
+            };
+            let steps = |place: Vec2| (place - centroid) / scale_cm;
+            lists.sites.push(Site::new(steps(site.now), steps(site.before), tag));
+            self.cell_of.push(site.cell);
+        }
+        let count = (lists.sites.len() - first) as u32;
+        if count % 2 == 1 {
+            lists.sites.push(Site::default());
+            self.cell_of.push(u32::MAX);
+        }
+        lists.heads.push(Head { first: first as u32, count, scale_cm, unused: 0 });
+    }
+}
+
+/// A number below 128 that belongs to the cell (the finaliser of MurmurHash3, Appleby 2011).
+fn lightness(cell: u32) -> u32 {
+    let mut bits = cell.wrapping_mul(0x9e37_79b1).wrapping_add(0x7f4a_7c15);
+    bits = (bits ^ (bits >> 16)).wrapping_mul(0x85eb_ca6b);
+    bits = (bits ^ (bits >> 13)).wrapping_mul(0xc2b2_ae35);
+    (bits ^ (bits >> 16)) >> 25
+}

@@ -1,0 +1,328 @@
+//! Lays patches down in the plane: unfolds their triangles and those around, and closes the gaps that
+//! curvature leaves between them.
+
+use super::chart::{Image, image, unfold};
+use super::outline::Outline;
+use super::{Mesh, NO_TWIN};
+use glam::Vec2;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// How well a patch lies in the plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Fit {
+    /// Neighbours lie far apart: each triangle is where the shortest way to it leads.
+    Torn,
+    /// Neighbours lie edge to edge, and edges are stretched more than `FLAT` allows.
+    Bent,
+    Flat,
+}
+
+/// What laying a patch flat may stretch or shrink its edges by, in the mean and at most. More, and the
+/// rims of patches show as lines of narrower cells; less, and curved bodies fall into patches of a few
+/// triangles, which cost several times as much.
+pub(super) const FLAT: Stretch = Stretch { mean: 0.02, most: 0.12 };
+
+/// Changes of lengths, as shares of the lengths.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stretch {
+    pub(super) mean: f32,
+    pub(super) most: f32,
+}
+
+/// Rounds in which triangles of a patch are fitted together. The gaps that unfolding leaves spread over
+/// about the square root of so many triangles.
+const FITTING_ROUNDS: usize = 6;
+
+/// Neighbours that lie farther apart than this share of the reach are no neighbours in the plane: the
+/// patch reaches around a narrow body, or over a sharp tip.
+const WIDEST_GAP: f32 = 0.3;
+
+/// A triangle that would keep less than this share of its area is not laid down.
+const LEAST_AREA: f32 = 0.3;
+
+/// An edge to go on over.
+#[derive(Clone, Copy, Debug)]
+struct Portal {
+    /// The half-edge on the far side.
+    twin: u32,
+    left: Vec2,
+    right: Vec2,
+}
+
+/// No image of a triangle.
+const NONE: u32 = u32::MAX;
+
+/// Lays patches down in the plane, one after the other.
+pub(super) struct Layout<'a> {
+    mesh: &'a Mesh,
+    reach: f32,
+    /// Of the patch laid down last, its own triangles first.
+    pub(super) images: Vec<Image>,
+    pub(super) outline: Outline,
+    /// For each triangle its index in `images`, or `NONE`.
+    image_of: Vec<u32>,
+    is_own: Vec<bool>,
+    corners: Vec<Corner>,
+    /// For each vertex of the mesh its index in `corners`, if it has one.
+    corner_of: Vec<u32>,
+    centre: Vec2,
+    portals: Vec<Portal>,
+    /// Waiting portals by (squared distance from the centre, number).
+    waiting: BinaryHeap<Reverse<(u32, u32)>>,
+}
+
+impl<'a> Layout<'a> {
+    pub(super) fn new(mesh: &'a Mesh, reach: f32) -> Layout<'a> {
+        Layout {
+            mesh,
+            // Room for what fitting shifts.
+            reach: (1.0 + FLAT.most) * reach,
+            images: Vec::new(),
+            outline: Outline::default(),
+            image_of: vec![NONE; mesh.triangles.len()],
+            is_own: vec![false; mesh.triangles.len()],
+            corners: Vec::new(),
+            corner_of: vec![NONE; mesh.positions.len()],
+            centre: Vec2::ZERO,
+            portals: Vec::new(),
+            waiting: BinaryHeap::new(),
+        }
+    }
+
+    /// Lays down connected triangles and those around them.
+    pub(super) fn lay_out(&mut self, own: &[u32]) -> Fit {
+        for &t in own {
+            self.is_own[t as usize] = true;
+        }
+        // Once to find the middle, and then from there: what is far from the start is bent most.
+        let mut home = own[own.len() / 2];
+        if own.len() > 2 {
+            self.unfold_own(home);
+            let all: Vec2 = self.images.iter().map(Image::centroid).sum();
+            let middle = all / self.images.len() as f32;
+            let from_middle = |image: &Image| image.centroid().distance_squared(middle);
+            let nearest =
+                self.images.iter().min_by(|a, b| from_middle(a).total_cmp(&from_middle(b)));
+            home = nearest.map_or(home, |image| image.triangle);
+        }
+        self.unfold_own(home);
+        self.images =
+            own.iter().map(|&t| self.images[self.image_of[t as usize] as usize]).collect();
+        for (k, &t) in own.iter().enumerate() {
+            self.image_of[t as usize] = k as u32;
+        }
+        self.outline = self.outline_of(own.len());
+        self.unfold_around();
+        let mut fit = Fit::Torn;
+        if self.holds_together() {
+            let unfitted = self.images.clone();
+            self.fit_together();
+            if self.all_face_up() {
+                self.outline = self.outline_of(own.len());
+                fit = if self.is_flat() { Fit::Flat } else { Fit::Bent };
+            } else {
+                self.images = unfitted;
+            }
+        }
+        for &t in own {
+            self.is_own[t as usize] = false;
+        }
+        fit
+    }
+
+    fn outline_of(&self, own: usize) -> Outline {
+        Outline::around(self.images[..own].iter().flat_map(Image::corners).collect())
+    }
+
+    /// Unfolds the own triangles from `home` on, and leaves the portals that lead out of them.
+    fn unfold_own(&mut self, home: u32) {
+        for image in self.images.drain(..) {
+            self.image_of[image.triangle as usize] = NONE;
+        }
+        self.portals.clear();
+        self.waiting.clear();
+        let corners = self.mesh.frames[home as usize].corners();
+        self.centre = (corners[0] + corners[1] + corners[2]) / 3.0;
+        self.place(home, corners);
+        for k in 0..3 {
+            self.push(3 * home + k as u32, &corners);
+        }
+        let mut outwards = Vec::new();
+        while let Some(Reverse((distance, number))) = self.waiting.pop() {
+            let portal = self.portals[number as usize];
+            if self.is_own[portal.twin as usize / 3] {
+                self.enter(portal, |_, _| true);
+            } else {
+                outwards.push(Reverse((distance, number)));
+            }
+        }
+        self.waiting.extend(outwards);
+    }
+
+    /// Unfolds the triangles within reach of the outline.
+    fn unfold_around(&mut self) {
+        while let Some(Reverse((_, number))) = self.waiting.pop() {
+            self.enter(self.portals[number as usize], |layout, edge| {
+                layout.outline.is_within(layout.reach, edge)
+            });
+        }
+    }
+
+    /// Unfolds the triangle behind a portal, if it is not there already.
+    fn enter(&mut self, portal: Portal, goes_on: impl Fn(&Self, &[Vec2; 2]) -> bool) {
+        let (triangle, entered) = (portal.twin / 3, portal.twin as usize % 3);
+        if self.image_of[triangle as usize] != NONE {
+            return;
+        }
+        let corners = unfold(self.mesh, portal.twin as usize, portal.left, portal.right);
+        self.place(triangle, corners);
+        for k in [(entered + 1) % 3, (entered + 2) % 3] {
+            if goes_on(self, &[corners[(k + 1) % 3], corners[(k + 2) % 3]]) {
+                self.push(3 * triangle + k as u32, &corners);
+            }
+        }
+    }
+
+    fn place(&mut self, triangle: u32, corners: [Vec2; 3]) {
+        self.image_of[triangle as usize] = self.images.len() as u32;
+        self.images.push(image(triangle, 0.0, corners));
+    }
+
+    fn push(&mut self, half_edge: u32, corners: &[Vec2; 3]) {
+        let twin = self.mesh.twins[half_edge as usize];
+        if twin == NO_TWIN {
+            return;
+        }
+        let k = half_edge as usize % 3;
+        let (right, left) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
+        // Distances are not negative, so their bits order as they do.
+        let distance = self.centre.distance_squared(0.5 * (left + right));
+        self.waiting.push(Reverse((distance.to_bits(), self.portals.len() as u32)));
+        self.portals.push(Portal { twin, left, right });
+    }
+
+    /// Whether all neighbours whose common edge is within reach lie nearly edge to edge.
+    fn holds_together(&self) -> bool {
+        let widest = (WIDEST_GAP * self.reach).powi(2);
+        self.images.iter().all(|image| {
+            let corners = image.corners();
+            (0..3).all(|k| {
+                let twin = self.mesh.twins[3 * image.triangle as usize + k];
+                let (from, to) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
+                if twin == NO_TWIN {
+                    return true;
+                }
+                let other = self.images.get(self.image_of[twin as usize / 3] as usize);
+                let joined = other.is_some_and(|other| {
+                    let (theirs, k) = (other.corners(), twin as usize % 3);
+                    theirs[(k + 1) % 3].distance_squared(to) <= widest
+                        && theirs[(k + 2) % 3].distance_squared(from) <= widest
+                });
+                joined || !self.outline.is_within(self.reach, &[from, to])
+            })
+        })
+    }
+
+    /// Closes the gaps between the images: their corners meet, and each triangle keeps its shape as
+    /// well as it can (the local and the global step of O. Sorkine, M. Alexa, As-Rigid-As-Possible
+    /// Surface Modeling, SGP 2007, in the plane).
+    fn fit_together(&mut self) {
+        self.corners.clear();
+        for image in &self.images {
+            for (&vertex, corner) in
+                self.mesh.triangles[image.triangle as usize].iter().zip(image.corners())
+            {
+                let known = self.corner_of[vertex as usize] as usize;
+                let number = match self.corners.get(known) {
+                    Some(c) if c.vertex == vertex => known,
+                    _ => {
+                        self.corner_of[vertex as usize] = self.corners.len() as u32;
+                        self.corners.push(Corner { vertex, ..Corner::default() });
+                        self.corners.len() - 1
+                    }
+                };
+                self.corners[number].wish(corner);
+            }
+        }
+        for _ in 0..FITTING_ROUNDS {
+            self.corners.iter_mut().for_each(Corner::settle);
+            for image in &self.images {
+                let numbers = self.mesh.triangles[image.triangle as usize]
+                    .map(|vertex| self.corner_of[vertex as usize] as usize);
+                let now = numbers.map(|number| self.corners[number].at);
+                let shape = self.mesh.frames[image.triangle as usize].corners();
+                let middle = (now[0] + now[1] + now[2]) / 3.0;
+                let centroid = (shape[1] + shape[2]) / 3.0;
+                // The rotation that fits best, as a complex number.
+                let turn = (0..3).fold(Vec2::ZERO, |sum, k| {
+                    let (arm, wanted) = (shape[k] - centroid, now[k] - middle);
+                    sum + Vec2::new(arm.dot(wanted), arm.perp_dot(wanted))
+                });
+                let turn = turn.normalize_or(Vec2::X);
+                for k in 0..3 {
+                    self.corners[numbers[k]].wish(middle + turn.rotate(shape[k] - centroid));
+                }
+            }
+        }
+        self.corners.iter_mut().for_each(Corner::settle);
+        for known in &mut self.images {
+            let [a, b, c] = self.mesh.triangles[known.triangle as usize]
+                .map(|vertex| self.corners[self.corner_of[vertex as usize] as usize].at);
+            *known = image(known.triangle, 0.0, [a, b, c]);
+        }
+    }
+
+    /// Whether no triangle lies on its back or nearly on edge.
+    fn all_face_up(&self) -> bool {
+        self.images.iter().all(|image| {
+            let area = 0.5 * image.edge1.perp_dot(image.edge2);
+            area > LEAST_AREA * self.mesh.areas[image.triangle as usize]
+        })
+    }
+
+    /// Whether the edges within reach have nearly kept their lengths.
+    fn is_flat(&self) -> bool {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for image in &self.images {
+            let corners = image.corners();
+            let shape = self.mesh.frames[image.triangle as usize].corners();
+            for k in 0..3 {
+                let (from, to) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
+                if !self.outline.is_within(self.reach, &[from, to]) {
+                    continue;
+                }
+                let length = shape[(k + 1) % 3].distance(shape[(k + 2) % 3]);
+                let stretch = (from.distance(to) / length - 1.0).abs();
+                if stretch > FLAT.most {
+                    return false;
+                }
+                sum += stretch;
+                count += 1.0;
+            }
+        }
+        sum <= FLAT.mean * count
+    }
+}
+
+/// Where triangles of a patch meet.
+#[derive(Clone, Copy, Debug, Default)]
+struct Corner {
+    vertex: u32,
+    at: Vec2,
+    /// The sum of the places that its triangles wish for it, and their number.
+    wished: Vec2,
+    wishes: f32,
+}
+
+impl Corner {
+    fn wish(&mut self, place: Vec2) {
+        self.wished += place;
+        self.wishes += 1.0;
+    }
+
+    fn settle(&mut self) {
+        self.at = self.wished / self.wishes;
+        (self.wished, self.wishes) = (Vec2::ZERO, 0.0);
+    }
+}

@@ -1,0 +1,84 @@
+//! `./playground measure`: a table of what the page costs on this machine. Nothing is asserted: times
+//! depend on the machine.
+
+use crate::page::{Graphics, Page};
+use crate::start::{Start, preset_link};
+use clonal_mosaic::plants::{self, Plant};
+use clonal_mosaic::play::link;
+use clonal_mosaic::play::protocol::{ToPage, ToWorker};
+use clonal_mosaic::tissue::{Growth, Progress};
+use serde_json::json;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// The best of so many runs is printed: other work on the machine only ever adds to a time.
+const RUNS: usize = 3;
+
+#[test]
+#[ignore = "measures, which takes minutes: ./playground measure"]
+fn measure() {
+    println!("\nAll days of each preset, best of {RUNS} runs, and its first live picture.\n");
+    println!("               native   worker  ratio |      WebGPU           |      WebGL2");
+    println!(
+        "                    s        s        | gzip bytes         ms | gzip bytes         ms"
+    );
+    for plant in plants::all() {
+        let native_s = best(|| Some(native_seconds(plant)));
+        let Some(worker_s) =
+            Page::start(Graphics::Neither).map(|page| best(|| Some(worker_seconds(&page, plant))))
+        else {
+            return;
+        };
+        print!("{:12} {native_s:8.2} {worker_s:8.2} {:6.2}", plant.key, worker_s / native_s);
+        for graphics in [Graphics::WebGpu, Graphics::WebGl2] {
+            let mut bytes = 0;
+            let milliseconds = best(|| {
+                let start = Start::of(graphics, &preset_link(plant))?;
+                bytes = start.bytes();
+                Some(start.milliseconds)
+            });
+            print!(" | {bytes:10} {milliseconds:10.0}");
+        }
+        println!();
+    }
+}
+
+fn best(mut run: impl FnMut() -> Option<f64>) -> f64 {
+    (0..RUNS).filter_map(|_| run()).fold(f64::INFINITY, f64::min)
+}
+
+/// Body and all days, in this thread.
+fn native_seconds(plant: &'static Plant) -> f64 {
+    let begun = Instant::now();
+    let scene = link::read(&preset_link(plant), plants::all()).scene;
+    let mesh = Arc::new(plant.embedded_body().surface);
+    let mut growth =
+        Growth::new(mesh, scene.recipe, &(plant.controls)(), scene.individual).unwrap();
+    while growth.step() != Progress::Done {}
+    begun.elapsed().as_secs_f64()
+}
+
+/// The same in the worker: from the page's wish to the answer that all days have grown.
+fn worker_seconds(page: &Page, plant: &'static Plant) -> f64 {
+    let wish = ToWorker::Grow { generation: 1, link: String::new() }.to_words()[0];
+    let done = ToPage::Done { generation: 1 }.to_words()[0];
+    let watch = format!(
+        "window.Worker = class extends Worker {{
+            constructor(...a) {{
+                super(...a);
+                this.addEventListener('message', ({{data}}) => {{
+                    if (data[0] === {done}) window.grown_ms = performance.now() - this.wished_ms
+                }})
+            }}
+            postMessage(data, ...a) {{
+                if (data[0] === {wish}) this.wished_ms = performance.now();
+                super.postMessage(data, ...a)
+            }}
+        }}"
+    );
+    let added = page.devtools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": watch }));
+    page.visit(&preset_link(plant));
+    page.wait_for("all days to grow", "return !!window.grown_ms");
+    page.devtools("Page.removeScriptToEvaluateOnNewDocument", added);
+    page.run("return window.grown_ms").as_f64().expect("a number") / 1000.0
+}

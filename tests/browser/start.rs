@@ -1,0 +1,79 @@
+//! What lies before the first live picture: bytes and milliseconds.
+
+use crate::page::{Graphics, Page};
+use crate::server::dist;
+use clonal_mosaic::plants;
+use clonal_mosaic::play::{FIRST_INDIVIDUAL, Scene, link};
+use flate2::{Compression, write::GzEncoder};
+use serde_json::json;
+use std::io::Write;
+
+/// Bytes that a visitor may have to download, compressed, until cells are seen.
+const MOST_BYTES_WEBGPU: usize = 300_000;
+const MOST_BYTES_WEBGL2: usize = 1_000_000;
+
+/// From navigation to the first live picture.
+pub struct Start {
+    /// The files that were asked for, and their bytes after `gzip -9`.
+    pub files: Vec<(String, usize)>,
+    /// Until the browser was asked for the frame after it.
+    pub milliseconds: f64,
+}
+
+impl Start {
+    /// Opens a link in a browser that has nothing in its cache.
+    pub fn of(graphics: Graphics, link: &str) -> Option<Start> {
+        // Sees the stage come alive from within: no question from outside slows the page down.
+        let watch = "new MutationObserver((_, watcher) => {
+                if (!document.querySelector('#stage[data-live]')) return;
+                watcher.disconnect();
+                requestAnimationFrame(() => { window.live_ms = performance.now() })
+            }).observe(document, {subtree: true, attributeFilter: ['data-live']})";
+        let page = Page::start(graphics)?;
+        page.devtools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": watch }));
+        page.visit(link);
+        page.wait_for("the first live picture", "return !!window.live_ms");
+        let files = page.server.requested().into_iter().map(|name| {
+            let bytes = gzipped_bytes(&name);
+            (name, bytes)
+        });
+        let files = files.collect();
+        let milliseconds = page.run("return window.live_ms").as_f64().expect("a number");
+        Some(Start { files, milliseconds })
+    }
+
+    pub fn bytes(&self) -> usize {
+        self.files.iter().map(|(_, bytes)| bytes).sum()
+    }
+}
+
+/// The link of a plant as the chooser opens it.
+pub fn preset_link(plant: &'static plants::Plant) -> String {
+    format!("#{}", link::write(&Scene::preset(plant, FIRST_INDIVIDUAL)))
+}
+
+fn gzipped_bytes(name: &str) -> usize {
+    let file = dist().join(if name.is_empty() { "index.html" } else { name });
+    let content = std::fs::read(&file).unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(&content).expect("memory takes it");
+    encoder.finish().expect("memory takes it").len()
+}
+
+fn assert_light(graphics: Graphics, most_bytes: usize) {
+    for plant in plants::all() {
+        let Some(start) = Start::of(graphics, &preset_link(plant)) else { return };
+        let bytes = start.bytes();
+        assert!(bytes <= most_bytes, "{}: {bytes} bytes, {:#?}", plant.key, start.files);
+    }
+}
+
+#[test]
+fn the_first_picture_is_light_with_webgpu() {
+    assert_light(Graphics::WebGpu, MOST_BYTES_WEBGPU);
+}
+
+#[test]
+fn the_first_picture_is_light_with_webgl2() {
+    assert_light(Graphics::WebGl2, MOST_BYTES_WEBGL2);
+}
