@@ -2,7 +2,6 @@
 //! bundle for that.
 
 use super::dom::{document, find, set_attribute, set_flag, window};
-use crate::play::protocol::BUILD;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Element, HtmlCanvasElement, HtmlScriptElement};
@@ -24,8 +23,8 @@ pub async fn boot() {
 /// Loads a bundle and starts its page.
 pub fn load(bundle: &str, on_failure: impl FnOnce() + 'static) {
     // The loader would ask for these one after the other.
-    preload(&format!("./{bundle}.js"), "modulepreload", "script");
-    preload(&format!("./{bundle}_bg.wasm"), "preload", "fetch");
+    preload(&in_bundles(&format!("{bundle}.js")), "modulepreload", "script");
+    preload(&in_bundles(&format!("{bundle}_bg.wasm")), "preload", "fetch");
     let script = document().create_element("script").expect("documents make scripts");
     let script: HtmlScriptElement = script.unchecked_into();
     script.set_type("module");
@@ -34,10 +33,16 @@ pub fn load(bundle: &str, on_failure: impl FnOnce() + 'static) {
     append_to_head(&script);
 }
 
-/// The address of the script that starts a bundle. It carries our build, so that no cache answers
-/// with another.
+/// The address of the script that starts a bundle.
 pub fn loader(bundle: &str) -> String {
-    format!("./{bundle}_loader.js?build={BUILD}")
+    in_bundles(&format!("{bundle}_loader.js"))
+}
+
+/// The address of a file in the folder of bundles, whose name tells builds apart.
+fn in_bundles(file: &str) -> String {
+    let root = document().document_element();
+    let folder = root.and_then(|root| root.get_attribute("data-bundles"));
+    format!("./{}/{file}", folder.as_deref().unwrap_or("."))
 }
 
 fn preload(address: &str, how: &str, kind: &str) {

@@ -5,13 +5,15 @@ use super::dom::{
     Listener, copy_of_template, find, mark_when_missing, on, set_attribute, set_text, within,
 };
 use crate::plants::Plant;
-use crate::play::page::{Event, Page};
+use crate::play::page::{Event, Page, State};
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlInputElement};
 
 pub struct Chooser {
     list: Element,
     radios: Vec<HtmlInputElement>,
+    /// The pictures that are not yet asked for, and where they are.
+    pictures: Vec<(Element, String)>,
     _listeners: Vec<Listener>,
 }
 
@@ -20,6 +22,7 @@ impl Chooser {
         let list: Element = find("plants");
         list.set_text_content(None);
         let mut listeners = Vec::new();
+        let mut pictures = Vec::new();
         let radios = plants
             .iter()
             .map(|plant| {
@@ -29,7 +32,7 @@ impl Chooser {
                 set_text(&within(&label, ".name"), plant.name);
                 let picture: Element = within(&label, "img");
                 listeners.push(mark_when_missing(&picture));
-                set_attribute(&picture, "src", format!("posters/{}-small.avif", plant.key));
+                pictures.push((picture, format!("posters/{}-small.avif", plant.key)));
                 let _ = list.append_child(&label);
                 radio
             })
@@ -40,10 +43,16 @@ impl Chooser {
                 app::send(Event::ChoosePlant(radio.value()));
             }
         }));
-        Chooser { list, radios, _listeners: listeners }
+        Chooser { list, radios, pictures, _listeners: listeners }
     }
 
-    pub fn show(&self, page: &Page) {
+    pub fn show(&mut self, page: &Page) {
+        // The chosen plant comes first: the pictures of all wait until nothing of it is on its way.
+        if page.state() != State::Loading {
+            for (picture, address) in self.pictures.drain(..) {
+                set_attribute(&picture, "src", address);
+            }
+        }
         for radio in &self.radios {
             let chosen = radio.value() == page.scene().plant.key;
             if radio.checked() != chosen {

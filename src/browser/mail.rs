@@ -21,8 +21,7 @@ pub struct Mail {
 }
 
 impl Mail {
-    /// Starts the worker: the bundle of this page once more, which the browser has at hand. Its
-    /// address carries our build, so that no cache answers with another.
+    /// Starts the worker: the bundle of this page once more, which the browser has at hand.
     pub fn start() -> Result<Mail, String> {
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);

@@ -12,6 +12,9 @@ use std::io::Write;
 const MOST_BYTES_WEBGPU: usize = 300_000;
 const MOST_BYTES_WEBGL2: usize = 1_000_000;
 
+/// Nothing that exists, asked for when the first live picture stands.
+const MARKER: &str = "the-plant-lives";
+
 /// From navigation to the first live picture.
 pub struct Start {
     /// The files that were asked for, and their bytes after `gzip -9`.
@@ -24,16 +27,20 @@ impl Start {
     /// Opens a link in a browser that has nothing in its cache.
     pub fn of(graphics: Graphics, link: &str) -> Option<Start> {
         // Sees the stage come alive from within: no question from outside slows the page down.
-        let watch = "new MutationObserver((_, watcher) => {
+        let watch = format!(
+            "new MutationObserver((_, watcher) => {{
                 if (!document.querySelector('#stage[data-live]')) return;
                 watcher.disconnect();
-                requestAnimationFrame(() => { window.live_ms = performance.now() })
-            }).observe(document, {subtree: true, attributeFilter: ['data-live']})";
+                fetch('{MARKER}').then(() => {{ window.marked = true }});
+                requestAnimationFrame(() => {{ window.live_ms = performance.now() }})
+            }}).observe(document, {{subtree: true, attributeFilter: ['data-live']}})"
+        );
         let page = Page::start(graphics)?;
         page.devtools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": watch }));
         page.visit(link);
-        page.wait_for("the first live picture", "return !!window.live_ms");
-        let files = page.server.requested().into_iter().map(|name| {
+        page.wait_for("the first live picture", "return !!(window.live_ms && window.marked)");
+        let before = page.server.requested().into_iter().take_while(|name| name != MARKER);
+        let files = before.map(|name| {
             let bytes = gzipped_bytes(&name);
             (name, bytes)
         });
