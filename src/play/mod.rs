@@ -2,6 +2,8 @@
 //! worker.
 
 pub mod camera;
+pub mod figures;
+pub mod gallery;
 mod history;
 pub mod link;
 mod meshes;
