@@ -16,6 +16,7 @@ mod bodies;
 mod cactus;
 mod croton;
 mod mushroom;
+pub mod original;
 mod philodendron;
 mod spikes;
 mod watermelon;

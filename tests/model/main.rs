@@ -8,6 +8,7 @@ mod growth;
 mod meshes;
 mod mosaic;
 mod original;
+mod pattern;
 mod population;
 mod recipes;
 mod walking;
