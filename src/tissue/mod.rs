@@ -19,6 +19,6 @@ mod relax;
 pub(crate) use bins::{Bins, Rim};
 pub use control::{Control, Use};
 pub use diary::{Day, DayCount, Diary, Lineage};
-pub use expectation::mean_descendants;
+pub use expectation::{Expected, clans, expected_cells};
 pub use growth::{Growth, Progress};
 pub use recipe::{CellType, Clock, Recipe, RecipeError};

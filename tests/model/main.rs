@@ -2,6 +2,7 @@
 //! and a walk written down a second time in the plainest way.
 
 mod controls;
+mod expectation;
 mod field;
 mod forces;
 mod growth;
