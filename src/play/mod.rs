@@ -2,6 +2,7 @@
 //! worker.
 
 pub mod camera;
+pub mod figures;
 mod history;
 pub mod link;
 mod meshes;
