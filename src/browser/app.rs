@@ -6,6 +6,7 @@ use super::chooser::Chooser;
 use super::controls::Controls;
 use super::dom::{Listener, document, on, window};
 use super::frames::Frames;
+use super::gallery::Gallery;
 use super::keyboard;
 use super::mail::{self, Mail};
 use super::messages::Messages;
@@ -16,6 +17,8 @@ use super::surroundings::{Surroundings, is_dark};
 use super::timeline::Timeline;
 use crate::draw::{DrawError, Renderer};
 use crate::plants;
+use crate::play::figures::Figure;
+use crate::play::gallery::{self, asked_figure};
 use crate::play::page::{Effect, Event, Page};
 use crate::play::parameters::Parameter;
 use crate::play::protocol::BUILD;
@@ -34,7 +37,10 @@ thread_local! {
 struct App {
     page: Page,
     stage: Stage,
+    /// The worker that grows the page's plant: started when that is to be seen for the first time.
     mail: Option<Mail>,
+    /// The figures while they are open.
+    gallery: Option<Gallery>,
     messages: Messages,
     chooser: Chooser,
     timeline: Timeline,
@@ -51,10 +57,13 @@ struct App {
 
 /// Starts the page: the worker and the graphics card at the same time.
 pub fn start() {
-    let (page, effects) = Page::open(&fragment(), plants::all());
+    let fragment = fragment();
+    let plant = if asked_figure(&fragment).is_some() { "" } else { &fragment };
+    let (page, effects) = Page::open(plant, plants::all());
     let stage = Stage::new();
     let mut app = App {
         mail: None,
+        gallery: None,
         messages: Messages::new(),
         chooser: Chooser::new(plants::all()),
         timeline: Timeline::new(),
@@ -65,14 +74,16 @@ pub fn start() {
         losses_ms: Vec::new(),
         _pointer: Pointer::new(stage.element()),
         _keyboard: keyboard::listen(stage.element()),
-        _link: on(&window(), "hashchange", |_: web_sys::Event| send(Event::OpenLink(fragment()))),
+        _link: on(&window(), "hashchange", |_: web_sys::Event| with(App::open_address)),
         page,
         stage,
     };
-    app.act(effects);
-    match Mail::start() {
-        Ok(mail) => app.mail = Some(mail),
-        Err(why) => app.hear(Event::WorkerLost(why)),
+    match asked_figure(&fragment) {
+        Some(number) => app.gallery = Some(Gallery::open(number, &app.page.link())),
+        None => {
+            app.act(effects);
+            app.start_worker();
+        }
     }
     let calm = app.surroundings.less_motion();
     app.hear(Event::LessMotion(calm));
@@ -103,7 +114,7 @@ pub fn renew_canvas() {
 pub fn run(renderer: Renderer) {
     with(|app| {
         app.stage.run(renderer);
-        app.refresh();
+        app.repaint();
     });
 }
 
@@ -130,7 +141,31 @@ pub fn resized() {
 
 /// What the frame shows changed without the page's doing: dark or light.
 pub fn repaint() {
-    with(App::refresh);
+    with(App::repaint);
+}
+
+/// Tells the figures that something has happened.
+pub fn send_to_figures(event: gallery::Event) {
+    with(|app| app.hear_figures(event));
+}
+
+/// Makes a figure the one that grows, unless it is.
+pub fn open_figure(figure: &'static Figure) {
+    with(|app| {
+        if app.gallery.as_ref().is_some_and(|gallery| !gallery.grows(figure)) {
+            app.hear_figures(gallery::Event::Open(figure));
+        }
+    });
+}
+
+/// The reader scrolls through the figures.
+pub fn figures_scrolled() {
+    with(|app| {
+        if let Some(gallery) = &mut app.gallery {
+            gallery.scrolled();
+            app.frames.ask();
+        }
+    });
 }
 
 /// The next frame is due.
@@ -158,10 +193,17 @@ pub fn reset_parameter(parameter: &'static Parameter) {
 
 /// The address of what is shown, also while it plays.
 pub fn address() -> String {
+    if let Some(number) = asked_figure(&fragment()) {
+        return format!("{}#figures/{number}", base());
+    }
     let link = APP.with_borrow(|app| app.as_ref().map(|app| app.page.link()));
+    format!("{}#{}", base(), link.unwrap_or_default())
+}
+
+/// The address of the page without its fragment.
+fn base() -> String {
     let href = window().location().href().unwrap_or_default();
-    let base = href.split('#').next().unwrap_or_default();
-    format!("{base}#{}", link.unwrap_or_default())
+    href.split('#').next().unwrap_or_default().to_string()
 }
 
 /// The individual that is wished now.
@@ -178,6 +220,46 @@ fn fragment() -> String {
 }
 
 impl App {
+    fn start_worker(&mut self) {
+        let started = Mail::start(|said| match said {
+            Ok(answer) => send(Event::FromWorker(answer)),
+            Err(why) => send(Event::WorkerLost(why)),
+        });
+        match started {
+            Ok(mail) => self.mail = Some(mail),
+            Err(why) => self.hear(Event::WorkerLost(why)),
+        }
+    }
+
+    /// Shows what the address asks for: the figures or a plant.
+    fn open_address(&mut self) {
+        let fragment = fragment();
+        self.stage.forget();
+        self.gallery = None;
+        if let Some(number) = asked_figure(&fragment) {
+            self.gallery = Some(Gallery::open(number, &self.page.link()));
+            return self.frames.ask();
+        }
+        self.hear(Event::OpenLink(fragment));
+        if self.mail.is_none() {
+            self.start_worker();
+        }
+    }
+
+    fn hear_figures(&mut self, event: gallery::Event) {
+        let effects = self.gallery.as_mut().map(|gallery| gallery.hear(event));
+        self.act(effects.unwrap_or_default());
+        self.frames.ask();
+    }
+
+    /// Draws everything again.
+    fn repaint(&mut self) {
+        if let Some(gallery) = &mut self.gallery {
+            gallery.forget_drawn();
+        }
+        self.refresh();
+    }
+
     fn hear(&mut self, event: Event) {
         let effects = self.page.hear(event);
         self.act(effects);
@@ -202,6 +284,8 @@ impl App {
                     }
                 }
                 Effect::LoadMesh(name) => spawn_local(load_mesh(name)),
+                // The address of the figures stays while they are open.
+                Effect::WriteLink(_) if self.gallery.is_some() => {}
                 Effect::WriteLink(link) => write_link(&link),
                 Effect::Say(text) => {
                     document().set_title(&format!("{text} · Clonal Mosaic"));
@@ -229,6 +313,9 @@ impl App {
 
     fn frame(&mut self, now_ms: f64) {
         let seconds = self.frames.begin(now_ms);
+        if self.gallery.is_some() {
+            return self.frame_of_figures();
+        }
         if self.page.is_moving() {
             let effects = self.page.hear(Event::Tick(seconds));
             self.act(effects);
@@ -253,6 +340,18 @@ impl App {
         }
     }
 
+    fn frame_of_figures(&mut self) {
+        if let Some(figure) = self.gallery.as_mut().and_then(Gallery::next_row) {
+            self.hear_figures(gallery::Event::Open(figure));
+        }
+        let Some(gallery) = &mut self.gallery else { return };
+        match gallery.show(&mut self.stage, is_dark()) {
+            Ok(true) => self.frames.ask(),
+            Ok(false) => self.frames.rest(),
+            Err(_) => self.lose(),
+        }
+    }
+
     fn lose(&mut self) {
         let now_ms = js_sys::Date::now();
         self.losses_ms.retain(|&ms| now_ms - ms < LOSSES_WITHIN_MS);
@@ -273,6 +372,7 @@ impl App {
 
 async fn load_mesh(name: &'static str) {
     let text = mail::fetch_text(&format!("./meshes/{name}?build={BUILD}")).await;
+    send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
     send(Event::Mesh { name, text });
 }
 

@@ -1,10 +1,8 @@
 //! The mail between the page and its worker, and files from our host.
 
-use super::app;
 use super::backend::IS_WEBGL_BUNDLE;
 use super::boot::loader;
 use super::dom::{self, Listener, on};
-use crate::play::page::Event;
 use crate::play::protocol::{BUILD, ToPage, ToWorker};
 use js_sys::Uint32Array;
 use wasm_bindgen::JsCast;
@@ -21,23 +19,25 @@ pub struct Mail {
 }
 
 impl Mail {
-    /// Starts the worker: the bundle of this page once more, which the browser has at hand.
-    pub fn start() -> Result<Mail, String> {
+    /// Starts a worker: the bundle of this page once more, which the browser has at hand. `hear`
+    /// takes what it says, or why it has stopped.
+    pub fn start(hear: impl Fn(Result<ToPage, String>) + Clone + 'static) -> Result<Mail, String> {
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
         let address = loader(if IS_WEBGL_BUNDLE { "page_gl" } else { "page" });
         let worker = Worker::new_with_options(&address, &options)
             .map_err(|_| "This browser starts no worker: the plant cannot grow.".to_string())?;
+        let hear_end = hear.clone();
         let listeners = [
-            on(&worker, "message", |message: MessageEvent| {
+            on(&worker, "message", move |message: MessageEvent| {
                 let words = message.data().dyn_into::<Uint32Array>().map(|w| w.to_vec());
                 if let Some(answer) = words.ok().and_then(|w| ToPage::from_words(&w).ok()) {
-                    app::send(Event::FromWorker(answer));
+                    hear(Ok(answer));
                 }
             }),
-            on(&worker, "error", |error: ErrorEvent| {
+            on(&worker, "error", move |error: ErrorEvent| {
                 let why = error.message();
-                app::send(Event::WorkerLost(format!(
+                hear_end(Err(format!(
                     "The worker that grows the plant has stopped ({why}). Please load the page again."
                 )));
             }),

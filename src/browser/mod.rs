@@ -14,6 +14,8 @@ mod dom;
 #[cfg(feature = "draw")]
 mod frames;
 #[cfg(feature = "draw")]
+mod gallery;
+#[cfg(feature = "draw")]
 mod keyboard;
 #[cfg(feature = "draw")]
 mod mail;

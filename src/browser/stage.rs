@@ -3,12 +3,16 @@
 use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
 use crate::draw::{DrawError, Frame, Renderer};
+use crate::mosaic::SiteLists;
 use crate::plants::{BodyError, Look, Plant};
-use crate::play::camera::Sphere;
+use crate::play::camera::{Camera, Sphere};
+use crate::play::gallery::ShownPicture;
 use crate::play::page::{Page, Shown};
 use crate::surface::Body;
 use wasm_bindgen::prelude::*;
-use web_sys::{HtmlCanvasElement, HtmlElement, HtmlImageElement, ResizeObserver};
+use web_sys::{
+    CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, HtmlImageElement, ResizeObserver,
+};
 
 /// Device pixels to a CSS pixel at most: more are not seen and cost four times the work.
 const MOST_PIXEL_RATIO: f64 = 2.0;
@@ -39,6 +43,27 @@ enum Graphics {
 struct OnStage {
     body: Body,
     sphere: Sphere,
+}
+
+/// What is to be drawn.
+struct Picture<'a> {
+    plant: &'static Plant,
+    look: &'a Look,
+    /// The text of the plant's mesh, once it has come.
+    mesh: Option<&'a str>,
+    /// None: those that are there stay.
+    cells: Option<Cells<'a>>,
+    camera: &'a Camera,
+    moment: f32,
+    size_px: (u32, u32),
+}
+
+/// The cells of a day of a growth.
+struct Cells<'a> {
+    generation: u32,
+    day: u32,
+    count: u32,
+    lists: &'a SiteLists,
 }
 
 #[derive(Default)]
@@ -130,33 +155,87 @@ impl Stage {
     }
 
     fn draw(&mut self, page: &Page, dark: bool) -> Result<bool, DrawError> {
-        let shown = page.shown();
+        let (shown, run, scene) = (page.shown(), page.run(), page.scene());
+        let day = shown.day.as_ref().filter(|_| shown.generation == run.generation);
+        let cells = day.and_then(|day| {
+            let (count, lists) = (day.facts.count.cells, run.lists(day.day)?);
+            Some(Cells { generation: run.generation, day: day.day, count, lists })
+        });
+        let picture = Picture {
+            plant: scene.plant,
+            look: &scene.look,
+            mesh: page.mesh(),
+            cells,
+            camera: page.camera(),
+            moment: shown.day.as_ref().map_or(1.0, |day| day.moment),
+            size_px: self.size_px,
+        };
+        let drawn = self.portray(&picture, dark)?;
+        // Once more: with these cells the live picture may take the poster's place.
+        self.show_poster(shown);
+        Ok(drawn)
+    }
+
+    /// Draws a picture of a figure and copies it to the canvas of `pen`, as large as that is. False
+    /// if nothing can be drawn now.
+    pub fn copy(
+        &mut self,
+        shown: &ShownPicture,
+        mesh: Option<&str>,
+        dark: bool,
+        pen: &CanvasRenderingContext2d,
+    ) -> Result<bool, DrawError> {
+        let Some(canvas) = pen.canvas() else { return Ok(false) };
+        let (generation, day, count) = (shown.generation, shown.day, shown.facts.count.cells);
+        let picture = Picture {
+            plant: shown.scene.plant,
+            look: &shown.scene.look,
+            mesh,
+            cells: Some(Cells { generation, day, count, lists: shown.lists }),
+            camera: &Camera::new(shown.scene.orbit),
+            moment: 1.0,
+            size_px: (canvas.width(), canvas.height()),
+        };
+        self.handed.frame = None;
+        let drawn = self.portray(&picture, dark)? && self.handed.frame.is_some();
+        if drawn {
+            pen.clear_rect(0.0, 0.0, f64::from(canvas.width()), f64::from(canvas.height()));
+            // Fails only for an empty picture.
+            let _ = pen.draw_image_with_html_canvas_element(&self.canvas, 0.0, 0.0);
+        }
+        Ok(drawn)
+    }
+
+    /// Forgets what is on the stage: something else was drawn there.
+    pub fn forget(&mut self) {
+        self.handed = Handed::default();
+        self.measure();
+    }
+
+    fn portray(&mut self, picture: &Picture, dark: bool) -> Result<bool, DrawError> {
         let Graphics::Running(renderer) = &mut self.graphics else {
             return Ok(matches!(self.graphics, Graphics::None));
         };
-        let key = page.scene().plant.key;
+        let key = picture.plant.key;
         if self.body.as_ref().is_none_or(|(of, _)| *of != key) {
             // What is no mesh the worker tells.
-            let on_stage = page.mesh().and_then(|mesh| OnStage::of(page.scene().plant, mesh).ok());
+            let on_stage = picture.mesh.and_then(|mesh| OnStage::of(picture.plant, mesh).ok());
             self.body = on_stage.map(|on_stage| (key, on_stage));
         }
         let Some((_, on_stage)) = &mut self.body else { return Ok(false) };
         let handed = &mut self.handed;
-        let look = &page.scene().look;
-        if handed.plant != Some(key) || handed.look.as_ref() != Some(look) {
-            renderer.set_body(&on_stage.body, look);
-            *handed = Handed { plant: Some(key), look: Some(look.clone()), ..Handed::default() };
+        if handed.plant != Some(key) || handed.look.as_ref() != Some(picture.look) {
+            renderer.set_body(&on_stage.body, picture.look);
+            let look = Some(picture.look.clone());
+            *handed = Handed { plant: Some(key), look, ..Handed::default() };
         }
-        let run = page.run();
-        if let Some(day) = &shown.day
-            && shown.generation == run.generation
-            && handed.day != Some((shown.generation, day.day))
-            && let Some(lists) = run.lists(day.day)
+        if let Some(cells) = &picture.cells
+            && handed.day != Some((cells.generation, cells.day))
         {
             let area = on_stage.body.surface.area;
-            let mean_spacing_cm = (area / day.facts.count.cells.max(1) as f32).sqrt();
-            renderer.set_sites(lists, mean_spacing_cm)?;
-            handed.day = Some((shown.generation, day.day));
+            let mean_spacing_cm = (area / cells.count.max(1) as f32).sqrt();
+            renderer.set_sites(cells.lists, mean_spacing_cm)?;
+            handed.day = Some((cells.generation, cells.day));
             handed.frame = None;
         }
         if handed.day.is_none() {
@@ -164,11 +243,11 @@ impl Stage {
             // one with cells.
             return Ok(true);
         }
-        let (width, height) = self.size_px;
+        let (width, height) = picture.size_px;
         let frame = Frame {
-            view_projection: page.camera().view_projection(&on_stage.sphere, width, height),
-            eye: page.camera().eye(&on_stage.sphere),
-            moment: shown.day.as_ref().map_or(1.0, |d| d.moment),
+            view_projection: picture.camera.view_projection(&on_stage.sphere, width, height),
+            eye: picture.camera.eye(&on_stage.sphere),
+            moment: picture.moment,
             dark,
         };
         if handed.frame != Some(frame) {
@@ -176,8 +255,6 @@ impl Stage {
             renderer.draw(&frame)?;
             handed.frame = Some(frame);
         }
-        // Once more: with these cells the live picture may take the poster's place.
-        self.show_poster(shown);
         Ok(true)
     }
 

@@ -1,7 +1,7 @@
 //! The sites around one triangle, unfolded into its plane, now and the day before.
 
-use crate::surface::{Charts, Frame, Image, Mesh, Place};
-use crate::tissue::{Bins, Diary, Rim};
+use crate::surface::{Charts, Frame, Image, Mesh, Place, distance, length};
+use crate::tissue::{Bins, Diary, LANES, Rim, lanes, lanes_mut};
 use glam::Vec2;
 use wide::f32x4;
 
@@ -19,9 +19,6 @@ const ENOUGH_SITES: usize = 4;
 /// the shorter lists save.
 const SAMPLES_PER_SPACING: f32 = 2.2;
 const MAX_SAMPLE_CUTS: usize = 6;
-
-/// Rows behind the last, for whole lanes.
-const LANES: usize = 4;
 
 /// The type stands in the two high bits of a cell's number.
 const TYPE_SHIFT: u32 = 30;
@@ -73,7 +70,7 @@ impl SortedCells {
             let was = seen_from(mesh, charts, place, before[ancestor], 2.0 * spacing);
             let frame = &mesh.frames[place.triangle as usize];
             let way = Vec2::new(was.x - place.b1, was.y - place.b2);
-            let motion = frame.point(way.x, way.y).length();
+            let motion = length(frame.point(way.x, way.y));
             let share = if motion > most { most / motion } else { 1.0 };
             let was = Vec2::new(place.b1, place.b2) + way * share;
             longest = longest.max(motion * share);
@@ -169,11 +166,11 @@ impl Near {
         let (mut row, mut to) = (rows.start, self.len);
         while row < rows.end {
             let (x, y) = image.points(lanes(now_b1, row), lanes(now_b2, row));
-            now_x[to..to + LANES].copy_from_slice(&x.to_array());
-            now_y[to..to + LANES].copy_from_slice(&y.to_array());
+            *lanes_mut(now_x, to) = x.to_array();
+            *lanes_mut(now_y, to) = y.to_array();
             let (x, y) = image.points(lanes(before_b1, row), lanes(before_b2, row));
-            before_x[to..to + LANES].copy_from_slice(&x.to_array());
-            before_y[to..to + LANES].copy_from_slice(&y.to_array());
+            *lanes_mut(before_x, to) = x.to_array();
+            *lanes_mut(before_y, to) = y.to_array();
             self.tags[to..to + LANES].copy_from_slice(&cells.tags[row..row + LANES]);
             row += LANES;
             to += LANES;
@@ -271,6 +268,7 @@ impl Near {
     }
 
     /// The x and y now and before of four sites. Lanes behind the last site repeat old ones.
+    #[inline]
     fn four(&self, first: usize) -> [(f32x4, f32x4); 2] {
         let [now_x, now_y, before_x, before_y] =
             self.columns.each_ref().map(|column| lanes(column, first));
@@ -301,13 +299,23 @@ pub struct Home<'a> {
 #[derive(Clone, Debug, Default)]
 pub struct Picked {
     sites: Vec<NearSite>,
-    /// The middle of each site's way, and half its length.
-    middle_x: Vec<f32>,
-    middle_y: Vec<f32>,
-    half_way: Vec<f32>,
+    ways: Vec<FourWays>,
+    /// Of the middles of those ways from one point.
     distances: Vec<f32x4>,
     keep: Vec<u32>,
 }
+
+/// How four sites go from the day before to now: the middle of each way, and half its length.
+#[derive(Clone, Copy, Debug)]
+struct FourWays {
+    middle_x: f32x4,
+    middle_y: f32x4,
+    half: f32x4,
+}
+
+/// Far from everything.
+const NO_WAYS: FourWays =
+    FourWays { middle_x: f32x4::splat(1e9), middle_y: f32x4::splat(1e9), half: f32x4::ZERO };
 
 /// Parts that a triangle is looked at in are this large, in mean spacings. Larger, and lists get
 /// longer; smaller, and looking takes longer than what is saved.
@@ -325,29 +333,29 @@ impl Picked {
 
     fn clear(&mut self) {
         self.sites.clear();
-        self.middle_x.clear();
-        self.middle_y.clear();
-        self.half_way.clear();
+        self.ways.clear();
     }
 
     fn add(&mut self, near: &Near, k: usize) {
         let site = near.site(k);
         let middle = 0.5 * (site.now + site.before);
+        let lane = self.sites.len() % LANES;
+        if lane == 0 {
+            self.ways.push(NO_WAYS);
+        }
+        if let Some(four) = self.ways.last_mut() {
+            four.middle_x.as_mut_array()[lane] = middle.x;
+            four.middle_y.as_mut_array()[lane] = middle.y;
+            four.half.as_mut_array()[lane] = 0.5 * distance(site.now, site.before);
+        }
         self.sites.push(site);
-        self.middle_x.push(middle.x);
-        self.middle_y.push(middle.y);
-        self.half_way.push(0.5 * site.now.distance(site.before));
     }
 
     /// Keeps the sites that are nearest to a point of the triangle at some moment, or nearly so.
     fn thin_out(&mut self, home: &Home, room: f32, spacing: f32) {
-        let fours = self.sites.len().div_ceil(LANES);
-        for column in [&mut self.middle_x, &mut self.middle_y, &mut self.half_way] {
-            column.resize(fours * LANES, 1e9);
-        }
         self.keep.clear();
-        self.keep.resize(fours, 0);
-        self.distances.resize(fours, f32x4::ZERO);
+        self.keep.resize(self.ways.len(), 0);
+        self.distances.resize(self.ways.len(), f32x4::ZERO);
         let cuts = ((home.size / (PART_SPACINGS * spacing)) as usize + 1).min(MAX_PART_CUTS);
         let share = 1.0 / cuts as f32;
         let slack = 2.0 * home.size * share + room;
@@ -358,32 +366,18 @@ impl Picked {
                 let centre = home.frame.point(b1 * share, b2 * share);
                 let (x, y) = (f32x4::splat(centre.x), f32x4::splat(centre.y));
                 let mut nearest = f32x4::splat(f32::INFINITY);
-                for k in 0..fours {
-                    let dx = lanes(&self.middle_x, k * LANES) - x;
-                    let dy = lanes(&self.middle_y, k * LANES) - y;
-                    let distance = (dx * dx + dy * dy).sqrt();
-                    self.distances[k] = distance;
-                    nearest = nearest.fast_min(distance + lanes(&self.half_way, k * LANES));
+                for (four, distance) in self.ways.iter().zip(&mut self.distances) {
+                    let (dx, dy) = (four.middle_x - x, four.middle_y - y);
+                    *distance = (dx * dx + dy * dy).sqrt();
+                    nearest = nearest.fast_min(*distance + four.half);
                 }
                 let nearest = nearest.to_array().into_iter().fold(f32::INFINITY, f32::min);
                 let reach = f32x4::splat(nearest + slack);
-                for k in 0..fours {
-                    let least = self.distances[k] - lanes(&self.half_way, k * LANES);
-                    self.keep[k] |= least.simd_le(reach).to_bitmask();
+                let looked_at = self.ways.iter().zip(&self.distances);
+                for (keep, (four, distance)) in self.keep.iter_mut().zip(looked_at) {
+                    *keep |= (*distance - four.half).simd_le(reach).to_bitmask();
                 }
             }
         }
-        if let (Some(last), rest) = (self.keep.last_mut(), self.sites.len() % LANES)
-            && rest > 0
-        {
-            *last &= (1 << rest) - 1;
-        }
     }
-}
-
-/// Four numbers from a row of a column on.
-#[inline]
-fn lanes(column: &[f32], row: usize) -> f32x4 {
-    let four: [f32; LANES] = column[row..row + LANES].try_into().expect("four lanes");
-    f32x4::new(four)
 }

@@ -1,4 +1,4 @@
-//! The mesh files that the page has loaded and handed to its worker: each once.
+//! The mesh files that the page has loaded and handed to its workers: each once.
 
 use super::page::Effect;
 use super::protocol::ToWorker;
@@ -13,32 +13,34 @@ struct File {
     name: &'static str,
     /// None while it is on its way.
     text: Option<String>,
-    is_handed: bool,
+    /// The numbers of the workers that have it.
+    handed_to: Vec<usize>,
 }
 
 impl Meshes {
-    /// What stands in a file, once the worker has it, too: the first cells wait for the worker, and
-    /// so a page that builds the body for itself does that while the worker is busy.
+    /// What stands in a file, once a worker has it, too: the first cells wait for the worker, and so
+    /// a page that builds the body for itself does that while the worker is busy.
     pub fn text(&self, name: &str) -> Option<&str> {
-        self.files.iter().find(|file| file.name == name && file.is_handed)?.text.as_deref()
+        let handed = |file: &&File| file.name == name && !file.handed_to.is_empty();
+        self.files.iter().find(handed)?.text.as_deref()
     }
 
-    /// Whether a file is there. Has it loaded if it was not asked for yet, and hands it to a worker
-    /// that listens and does not have it.
+    /// Whether a file is there. Has it loaded if it was not asked for yet, and hands it to the worker
+    /// of a number, given if that one listens, unless it has it.
     pub fn provide(
         &mut self,
         name: &'static str,
-        worker_listens: bool,
+        worker: Option<usize>,
         effects: &mut Vec<Effect>,
     ) -> bool {
         let Some(file) = self.files.iter_mut().find(|file| file.name == name) else {
-            self.files.push(File { name, text: None, is_handed: false });
+            self.files.push(File { name, text: None, handed_to: Vec::new() });
             effects.push(Effect::LoadMesh(name));
             return false;
         };
         let Some(text) = &file.text else { return false };
-        if worker_listens && !file.is_handed {
-            file.is_handed = true;
+        if let Some(worker) = worker.filter(|worker| !file.handed_to.contains(worker)) {
+            file.handed_to.push(worker);
             let (name, text) = (name.to_string(), text.clone());
             effects.push(Effect::Post(ToWorker::Mesh { name, text }));
         }

@@ -3,6 +3,7 @@
 
 pub mod camera;
 pub mod figures;
+pub mod gallery;
 mod history;
 pub mod link;
 mod meshes;

@@ -417,7 +417,8 @@ impl Page {
     /// Asks for what grows, as soon as there are a mesh and a worker for it.
     fn wish(&mut self, effects: &mut Vec<Effect>) {
         let Run { generation, scene, .. } = &self.run;
-        let has_mesh = self.meshes.provide(scene.plant.mesh.name, self.worker_listens, effects);
+        let worker = self.worker_listens.then_some(0);
+        let has_mesh = self.meshes.provide(scene.plant.mesh.name, worker, effects);
         if has_mesh && self.worker_listens {
             let (generation, link) = (*generation, link::write(scene));
             self.run.end = None;

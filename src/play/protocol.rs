@@ -15,6 +15,8 @@ pub enum ToWorker {
     Mesh { name: String, text: String },
     /// Grow the scene of a link; whatever grew before stops. Every answer carries the number.
     Grow { generation: u32, link: String },
+    /// Grow no further.
+    Stop,
 }
 
 /// From the worker to the page.
@@ -62,6 +64,7 @@ const FULL: u32 = 4;
 const DONE: u32 = 5;
 const FAILED: u32 = 6;
 const MESH: u32 = 7;
+const STOP: u32 = 8;
 
 impl ToWorker {
     pub fn to_words(&self) -> Vec<u32> {
@@ -76,6 +79,7 @@ impl ToWorker {
                 words = vec![GROW, *generation];
                 push_text(&mut words, link);
             }
+            ToWorker::Stop => words = vec![STOP],
         }
         words
     }
@@ -85,6 +89,7 @@ impl ToWorker {
         let message = match reader.word()? {
             MESH => ToWorker::Mesh { name: reader.text()?, text: reader.text()? },
             GROW => ToWorker::Grow { generation: reader.word()?, link: reader.text()? },
+            STOP => ToWorker::Stop,
             _ => return Err(ProtocolError),
         };
         reader.end(message)
@@ -222,6 +227,7 @@ mod tests {
         for wish in [
             ToWorker::Mesh { name: "leaf.obj".to_string(), text: "f 1 2 3".to_string() },
             ToWorker::Grow { generation: 4, link: "leaf?v=1&s=2&d=3".to_string() },
+            ToWorker::Stop,
         ] {
             assert_eq!(ToWorker::from_words(&wish.to_words()), Ok(wish));
         }

@@ -3,6 +3,7 @@
 use super::page::ShownDay;
 use super::run::Run;
 use crate::plants::Plant;
+use crate::tissue::Recipe;
 
 /// `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
 pub fn describe(plant: &Plant, individual: u32, day: &ShownDay) -> String {
@@ -39,6 +40,17 @@ pub fn grouped(number: u32) -> String {
         text.push(digit);
     }
     text
+}
+
+/// The numbers of a recipe in the symbols of the thesis (Table 4.1).
+pub fn numbers(recipe: &Recipe) -> String {
+    let [df, db, _] = recipe.division_days;
+    let [ff, bb] = [0, 1].map(|kind| recipe.adhesion[kind][kind]);
+    format!(
+        "{} first cells · D_F {df}, D_B {db} days · α_FF {ff}, α_BB {bb} · ω_r {}",
+        grouped(recipe.initial_cells),
+        recipe.radius_scale
+    )
 }
 
 /// Why there is no plant to see.

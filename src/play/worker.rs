@@ -52,6 +52,10 @@ impl Worker {
                 self.meshes.push((name, text));
                 return None;
             }
+            ToWorker::Stop => {
+                self.run = None;
+                return None;
+            }
         };
         self.run = None;
         match self.sow(&link) {

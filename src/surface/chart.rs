@@ -1,5 +1,6 @@
 //! The triangles around a triangle, unfolded into its plane (Turk91).
 
+use super::lengths::{distance, length, normalized};
 use super::{Mesh, NO_TWIN};
 use glam::Vec2;
 use std::cmp::Reverse;
@@ -143,7 +144,7 @@ impl Builder {
         for k in 0..3 {
             self.push_edge(3 * home + k as u32, &corners, 0.0, None, 0);
         }
-        while let Some(Reverse((distance, crossings, number))) = self.waiting.pop() {
+        while let Some(Reverse((bits, crossings, number))) = self.waiting.pop() {
             let portal = self.portals[number as usize];
             let twin = mesh.twins[portal.half_edge as usize];
             if twin == NO_TWIN {
@@ -169,10 +170,10 @@ impl Builder {
             seen.count += 1;
             self.seen[triangle as usize] = seen;
             // Who comes straight from home comes through the portal: nothing of the image is nearer.
-            images.push(image(triangle, f32::from_bits(distance), unfolded));
+            images.push(image(triangle, f32::from_bits(bits), unfolded));
             for k in [(entered + 1) % 3, (entered + 2) % 3] {
                 let farther = disc.distance(unfolded[(k + 1) % 3], unfolded[(k + 2) % 3]);
-                let farther = farther.max(f32::from_bits(distance));
+                let farther = farther.max(f32::from_bits(bits));
                 if farther <= radius {
                     let half_edge = 3 * triangle + k as u32;
                     self.push_edge(half_edge, &unfolded, farther, Some(number), crossings + 1);
@@ -237,7 +238,7 @@ pub(super) fn unfold(mesh: &Mesh, twin: usize, left: Vec2, right: Vec2) -> [Vec2
     let k = twin % 3;
     // The twin runs the other way: its first corner is the left end.
     let (from, to, apex) = (corners[(k + 1) % 3], corners[(k + 2) % 3], corners[k]);
-    let (here, there) = ((to - from).normalize(), (right - left).normalize());
+    let (here, there) = (normalized(to - from), normalized(right - left));
     let turn = Vec2::new(here.dot(there), here.perp_dot(there));
     let arm = apex - from;
     let mut unfolded = [Vec2::ZERO; 3];
@@ -256,9 +257,9 @@ const SAME: f32 = 0.01;
 /// Whether two images of one triangle lie together, as on a nearly flat surface.
 fn same_image(image: &Image, unfolded: &[Vec2; 3], frame: &super::mesh::Frame) -> bool {
     let near = SAME * frame.length.max(frame.apex.y);
-    image.origin.distance(unfolded[0]) < near
-        && (image.origin + image.edge1).distance(unfolded[1]) < near
-        && (image.origin + image.edge2).distance(unfolded[2]) < near
+    distance(image.origin, unfolded[0]) < near
+        && distance(image.origin + image.edge1, unfolded[1]) < near
+        && distance(image.origin + image.edge2, unfolded[2]) < near
 }
 
 /// The disc around a chart's home, from which distances are taken: never more than from the triangle
@@ -271,7 +272,7 @@ struct Disc {
 impl Disc {
     fn around(corners: [Vec2; 3]) -> Disc {
         let centre = (corners[0] + corners[1] + corners[2]) / 3.0;
-        let radius = corners.iter().map(|c| c.distance(centre)).fold(0.0, f32::max);
+        let radius = corners.iter().map(|&c| distance(c, centre)).fold(0.0, f32::max);
         Disc { centre, radius }
     }
 
@@ -279,6 +280,6 @@ impl Disc {
     fn distance(&self, from: Vec2, to: Vec2) -> f32 {
         let (edge, arm) = (to - from, self.centre - from);
         let along = (arm.dot(edge) / edge.length_squared()).clamp(0.0, 1.0);
-        ((arm - edge * along).length() - self.radius).max(0.0)
+        (length(arm - edge * along) - self.radius).max(0.0)
     }
 }

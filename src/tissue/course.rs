@@ -1,7 +1,7 @@
 //! The course of a step: as far as the recipe's anisotropy says, it follows the direction field
 //! (Thesis 3.2.4).
 
-use crate::surface::DirectionField;
+use crate::surface::{DirectionField, length};
 use glam::Vec2;
 
 /// A direction field and the weight that it has.
@@ -24,7 +24,7 @@ impl Course {
         if direction == Vec2::ZERO {
             return step;
         }
-        step * (1.0 - self.anisotropy) + direction * (self.anisotropy * step.length())
+        step * (1.0 - self.anisotropy) + direction * (self.anisotropy * length(step))
     }
 }
 

@@ -3,11 +3,11 @@
 use wide::f32x4;
 
 /// Numbers that are worked on side by side.
-pub(super) const LANES: usize = 4;
+pub(crate) const LANES: usize = 4;
 
 /// Four numbers from a row of a column on.
 #[inline]
-pub(super) fn lanes(column: &[f32], row: usize) -> f32x4 {
+pub(crate) fn lanes(column: &[f32], row: usize) -> f32x4 {
     debug_assert!(row + LANES <= column.len());
     // SAFETY: every column ends with `LANES` spare rows, and rows come from `starts` and `len`,
     // which count rows that are there. A checked load costs the gather a fifth of its time.
@@ -16,7 +16,7 @@ pub(super) fn lanes(column: &[f32], row: usize) -> f32x4 {
 
 /// Four numbers from a row of a column on, to be written.
 #[inline]
-pub(super) fn lanes_mut(column: &mut [f32], row: usize) -> &mut [f32; LANES] {
+pub(crate) fn lanes_mut(column: &mut [f32], row: usize) -> &mut [f32; LANES] {
     debug_assert!(row + LANES <= column.len());
     // SAFETY: as above; a patch sees each cell at most once, so `Near` has room for all.
     unsafe { &mut *column.as_mut_ptr().add(row).cast::<[f32; LANES]>() }

@@ -21,4 +21,5 @@ pub use control::{Control, Use};
 pub use diary::{Day, DayCount, Diary, Lineage};
 pub use expectation::{Expected, clans, expected_cells};
 pub use growth::{Growth, Progress};
+pub(crate) use lanes::{LANES, lanes, lanes_mut};
 pub use recipe::{CellType, Clock, Recipe, RecipeError};

@@ -3,6 +3,7 @@
 //! `./playground test` builds the page and fails where Chromium or the page is missing; a plain
 //! `cargo test` skips these tests then, and says so.
 
+mod figures;
 mod journeys;
 mod ladder;
 mod measure;

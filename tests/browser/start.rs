@@ -27,12 +27,14 @@ impl Start {
     /// Opens a link in a browser that has nothing in its cache.
     pub fn of(graphics: Graphics, link: &str) -> Option<Start> {
         // Sees the stage come alive from within: no question from outside slows the page down.
-        let watch = format!("new MutationObserver((_, watcher) => {{
+        let watch = format!(
+            "new MutationObserver((_, watcher) => {{
                 if (!document.querySelector('#stage[data-live]')) return;
                 watcher.disconnect();
                 fetch('{MARKER}').then(() => {{ window.marked = true }});
                 requestAnimationFrame(() => {{ window.live_ms = performance.now() }})
-            }}).observe(document, {{subtree: true, attributeFilter: ['data-live']}})");
+            }}).observe(document, {{subtree: true, attributeFilter: ['data-live']}})"
+        );
         let page = Page::start(graphics)?;
         page.devtools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": watch }));
         page.visit(link);

@@ -1,0 +1,230 @@
+//! The figures of the thesis: one row of pictures each. The row that the reader looks at grows and is
+//! drawn on the page's one stage, picture by picture, and copied from there; the other rows keep
+//! their last pictures.
+
+use super::app;
+use super::dom::{
+    Listener, copy_of_template, document, find, mark_when_missing, on, set_attribute, set_flag,
+    set_text, window, within,
+};
+use super::mail::Mail;
+use super::stage::Stage;
+use crate::draw::DrawError;
+use crate::plants;
+use crate::play::figures::{FIGURES, Figure};
+use crate::play::gallery::{self, Event, Row};
+use crate::play::page::Effect;
+use crate::play::{link, words};
+use wasm_bindgen::JsCast;
+use web_sys::{
+    CanvasRenderingContext2d, Element, HtmlCanvasElement, HtmlElement, HtmlInputElement,
+};
+
+/// Workers at most: each holds a body, and more than a row has growths are of no use.
+const MOST_WORKERS: usize = 4;
+/// Milliseconds that the scroll must rest before the row in the middle grows: rows that fly by do not.
+const REST_MS: f64 = 250.0;
+/// Milliseconds of drawing in a frame, after which the other pictures wait for the next one.
+const DRAW_MS: f64 = 8.0;
+
+/// The open figures; they end when this is dropped.
+pub struct Gallery {
+    brain: gallery::Gallery,
+    workers: Vec<Mail>,
+    root: HtmlElement,
+    rows: Vec<RowView>,
+    /// Until when the scroll must rest.
+    rests_ms: Option<f64>,
+    _scroll: Listener,
+}
+
+struct RowView {
+    figure: &'static Figure,
+    element: HtmlElement,
+    pictures: Vec<PictureView>,
+    day: HtmlInputElement,
+    told_day: Element,
+    trouble: Element,
+    _listeners: Vec<Listener>,
+}
+
+struct PictureView {
+    element: Element,
+    pen: CanvasRenderingContext2d,
+    told: Element,
+    /// The generation and day that are drawn.
+    drawn: Option<(u32, u32)>,
+}
+
+impl Gallery {
+    /// Opens the figures at one of them. `back` is the link of the plant to go back to.
+    pub fn open(number: &str, back: &str) -> Gallery {
+        let cores = window().navigator().hardware_concurrency() as usize;
+        let root: HtmlElement = find("figures");
+        let list: HtmlElement = find("figure-list");
+        list.set_text_content(None);
+        let rows: Vec<RowView> = FIGURES.iter().map(|figure| RowView::new(&list, figure)).collect();
+        set_attribute(&find::<Element>("from-figures"), "href", format!("#{back}"));
+        set_flag(&root, "hidden", false);
+        show_view(true);
+        // One core is for the page.
+        let count = cores.saturating_sub(1).clamp(1, MOST_WORKERS);
+        let start = |number| {
+            Mail::start(move |said| match said {
+                Ok(answer) => app::send_to_figures(Event::FromWorker(number, answer)),
+                Err(why) => app::tell(&why),
+            })
+        };
+        let workers = (0..count).map_while(|number| start(number).ok()).collect();
+        let asked = rows.iter().find(|row| row.figure.number == number);
+        match asked {
+            Some(row) => row.element.scroll_into_view(),
+            None => root.set_scroll_top(0),
+        }
+        // The keys that scroll are to work at once.
+        let _ = root.focus();
+        let scroll = on(&root, "scroll", |_: web_sys::Event| app::figures_scrolled());
+        let brain = gallery::Gallery::new(plants::all(), count);
+        Gallery { brain, workers, root, rows, rests_ms: Some(0.0), _scroll: scroll }
+    }
+
+    /// Takes an event; what the page must do is returned.
+    pub fn hear(&mut self, event: Event) -> Vec<Effect> {
+        let mut others = Vec::new();
+        for (number, effect) in self.brain.hear(event) {
+            match (effect, self.workers.get(number)) {
+                (Effect::Post(wish), Some(worker)) => worker.post(&wish),
+                (effect, _) => others.push(effect),
+            }
+        }
+        others
+    }
+
+    /// Whether a figure is the one that grows.
+    pub fn grows(&self, figure: &Figure) -> bool {
+        self.brain.row().is_some_and(|row| row.figure == figure)
+    }
+
+    /// The reader scrolls: what comes into sight waits for the end of that.
+    pub fn scrolled(&mut self) {
+        self.rests_ms = Some(now_ms() + REST_MS);
+    }
+
+    /// Draws everything again: the device is a new one, or it got dark.
+    pub fn forget_drawn(&mut self) {
+        for picture in self.rows.iter_mut().flat_map(|row| &mut row.pictures) {
+            picture.drawn = None;
+        }
+    }
+
+    /// The row that is to grow now that the scroll rests.
+    pub fn next_row(&mut self) -> Option<&'static Figure> {
+        self.rests_ms.take_if(|rests_ms| now_ms() >= *rests_ms)?;
+        let middle = self.root.get_bounding_client_rect();
+        let middle = middle.top() + 0.5 * middle.height();
+        let from_middle = |row: &RowView| {
+            let rect = row.element.get_bounding_client_rect();
+            (rect.top() + 0.5 * rect.height() - middle).abs()
+        };
+        let near = |a: &&RowView, b: &&RowView| from_middle(a).total_cmp(&from_middle(b));
+        let figure = self.rows.iter().min_by(near)?.figure;
+        (!self.grows(figure)).then_some(figure)
+    }
+
+    /// Brings the row that grows up to date. True if another frame is needed.
+    pub fn show(&mut self, stage: &mut Stage, dark: bool) -> Result<bool, DrawError> {
+        let waits = self.rests_ms.is_some();
+        let Some(row) = self.brain.row() else { return Ok(waits) };
+        let Some(view) = self.rows.iter_mut().find(|view| view.figure == row.figure) else {
+            return Ok(waits);
+        };
+        view.tell(row);
+        let until_ms = now_ms() + DRAW_MS;
+        for (k, picture) in view.pictures.iter_mut().enumerate() {
+            let Some(shown) = row.shown(k) else { continue };
+            if picture.drawn == Some((shown.generation, shown.day)) {
+                continue;
+            }
+            if now_ms() >= until_ms {
+                return Ok(true);
+            }
+            let mesh = self.brain.mesh(shown.scene.plant.mesh.name);
+            if stage.copy(&shown, mesh, dark, &picture.pen)? {
+                picture.drawn = Some((shown.generation, shown.day));
+                set_flag(&picture.element, "data-live", true);
+            }
+            let count = shown.facts.count;
+            let colour = shown.scene.plant.colour_names[0];
+            let share = words::share(count.by_type[0], count.cells);
+            let told = format!("{} cells, {share} {colour}", words::grouped(count.cells));
+            set_text(&picture.told, &told);
+        }
+        Ok(waits)
+    }
+}
+
+impl Drop for Gallery {
+    fn drop(&mut self) {
+        set_flag(&self.root, "hidden", true);
+        show_view(false);
+    }
+}
+
+impl RowView {
+    fn new(list: &Element, figure: &'static Figure) -> RowView {
+        let element = copy_of_template("figure-template");
+        set_attribute(&element, "id", format!("figure-{}", figure.number));
+        set_text(&within(&element, ".number"), figure.number);
+        set_text(&within(&element, ".title"), figure.title);
+        set_text(&within(&element, ".figure-caption"), figure.caption);
+        let scene = link::read(figure.pictures[0].link, plants::all()).scene;
+        set_text(&within(&element, ".latin"), scene.plant.latin);
+        set_text(&within(&element, ".numbers"), &words::numbers(&scene.recipe));
+        let row: Element = within(&element, ".pictures");
+        let mut listeners = Vec::new();
+        let pictures = figure.pictures.iter().map(|picture| {
+            let tile = copy_of_template("picture-template");
+            set_attribute(&tile, "href", format!("#{}", picture.link));
+            set_text(&within(&tile, ".label"), picture.label);
+            let still: Element = within(&tile, "img");
+            let plant = link::read(picture.link, plants::all()).scene.plant;
+            listeners.push(mark_when_missing(&still));
+            set_attribute(&still, "src", format!("posters/{}-small.avif", plant.key));
+            let canvas: HtmlCanvasElement = within(&tile, "canvas");
+            let _ = row.append_child(&tile);
+            let pen = canvas.get_context("2d").ok().flatten().expect("browsers draw in 2D");
+            let told = within(&tile, ".told");
+            PictureView { element: tile.into(), pen: pen.unchecked_into(), told, drawn: None }
+        });
+        let pictures = pictures.collect();
+        let day: HtmlInputElement = within(&element, ".days input");
+        let field = day.clone();
+        listeners.push(on(&day, "input", move |_: web_sys::Event| {
+            app::open_figure(figure);
+            app::send_to_figures(Event::Day(field.value_as_number() as u32));
+        }));
+        let _ = list.append_child(&element);
+        let told_day = within(&element, ".days output");
+        let trouble = within(&element, ".trouble");
+        RowView { figure, element, pictures, day, told_day, trouble, _listeners: listeners }
+    }
+
+    fn tell(&self, row: &Row) {
+        set_attribute(&self.day, "max", row.last_day());
+        self.day.set_value(&row.day.to_string());
+        set_text(&self.told_day, &format!("Day {}", row.day));
+        set_text(&self.trouble, row.trouble.as_deref().unwrap_or_default());
+    }
+}
+
+/// Shows the figures in the place of the playground, or the other way round.
+fn show_view(figures: bool) {
+    if let Some(root) = document().document_element() {
+        set_attribute(&root, "data-view", if figures { "figures" } else { "plant" });
+    }
+    set_flag(&find::<Element>("playground"), "inert", figures);
+}
+
+fn now_ms() -> f64 {
+    window().performance().map_or(0.0, |clock| clock.now())
+}

@@ -1,0 +1,109 @@
+//! The figures: rows of pictures that grow where the reader looks.
+
+use crate::page::{Graphics, Page};
+use clonal_mosaic::plants;
+use clonal_mosaic::play::{figures, link, words};
+use clonal_mosaic::tissue::Progress;
+use std::sync::Arc;
+
+/// A row whose pictures differ, and grow fast.
+const NUMBER: &str = "4.15";
+
+/// What stands below each picture of the row when it has grown.
+fn expected() -> Vec<String> {
+    let figure = figures::find(NUMBER).expect("a row of the thesis");
+    let pictures = figure.pictures.iter().map(|picture| {
+        let scene = link::read(picture.link, plants::all()).scene;
+        let mesh = Arc::new(scene.plant.embedded_body().surface);
+        let mut growth = scene.plant.sow(mesh, scene.recipe, scene.individual).unwrap();
+        while growth.step() != Progress::Day(scene.day) {}
+        let count = growth.diary.count(scene.day as usize);
+        let share = words::share(count.by_type[0], count.cells);
+        let colour = scene.plant.colour_names[0];
+        format!("{} cells, {share} {colour}", words::grouped(count.cells))
+    });
+    pictures.collect()
+}
+
+/// Whether each picture of the row is told and drawn as given.
+fn wait_for_row(page: &Page, told: &[String]) {
+    let told = serde_json::to_string(told).expect("texts");
+    page.wait_for(
+        "the row to grow",
+        &format!(
+            "const row = document.getElementById('figure-{NUMBER}');
+             const told = [...row.querySelectorAll('.told')].map(e => e.textContent);
+             return JSON.stringify(told) === JSON.stringify({told})
+                 && row.querySelectorAll('.picture[data-live]').length === told.length"
+        ),
+    );
+}
+
+/// The share of a picture's pixels on which something is drawn, and its mean red.
+fn pixels(page: &Page, picture: usize) -> [f64; 2] {
+    let script = format!(
+        "const canvas = document.querySelectorAll('#figure-{} canvas')[{picture}];
+         const {{data}} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+         let [drawn, red] = [0, 0];
+         for (let k = 0; k < data.length; k += 4)
+             if (data[k + 3] > 200) {{ drawn += 1; red += data[k] }}
+         return [drawn / (data.length / 4), red / drawn]",
+        NUMBER
+    );
+    serde_json::from_value(page.run(&script)).expect("two numbers")
+}
+
+fn a_row_grows_and_opens(graphics: Graphics) {
+    let Some(page) = Page::open(graphics, &format!("#figures/{NUMBER}")) else { return };
+    wait_for_row(&page, &expected());
+    let reds = [0, 1, 2].map(|k| {
+        let [drawn, red] = pixels(&page, k);
+        assert!((0.1..0.9).contains(&drawn), "{drawn} of the picture is drawn");
+        red
+    });
+    // The faster red divides, the redder the cap.
+    assert!(reds[0] > reds[1] + 1.0 && reds[1] > reds[2] + 1.0, "{reds:?}");
+
+    page.run(&format!("document.querySelectorAll('#figure-{NUMBER} .picture')[2].click()"));
+    let state = page.ready();
+    assert_eq!((state.plant.as_str(), state.day.as_str()), ("mushroom", "20"));
+    let link = figures::find(NUMBER).unwrap().pictures[2].link;
+    assert_eq!(page.run("return location.hash"), format!("#{link}"));
+    assert!(page.run("return document.getElementById('figures').hidden") == true);
+
+    page.run("history.back()");
+    wait_for_row(&page, &expected());
+    page.run("document.getElementById('from-figures').click()");
+    assert_eq!(page.ready(), state, "the plant is as it was left");
+}
+
+#[test]
+fn a_row_grows_and_opens_with_webgpu() {
+    a_row_grows_and_opens(Graphics::WebGpu);
+}
+
+#[test]
+fn a_row_grows_and_opens_with_webgl2() {
+    a_row_grows_and_opens(Graphics::WebGl2);
+}
+
+#[test]
+fn the_days_of_a_row_are_pulled_together() {
+    let Some(page) = Page::open(Graphics::WebGpu, &format!("#figures/{NUMBER}")) else { return };
+    wait_for_row(&page, &expected());
+    page.run(&format!(
+        "const day = document.querySelector('#figure-{NUMBER} .days input');
+         day.value = 0;
+         day.dispatchEvent(new Event('input', {{bubbles: true}}))"
+    ));
+    // The first cells are the same, whatever the pace of their divisions.
+    page.wait_for(
+        "day 0",
+        &format!(
+            "const row = document.getElementById('figure-{NUMBER}');
+             const told = new Set([...row.querySelectorAll('.told')].map(e => e.textContent));
+             return row.querySelector('output').textContent === 'Day 0'
+                 && told.size === 1 && [...told][0].startsWith('6,000 cells')"
+        ),
+    );
+}
