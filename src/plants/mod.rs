@@ -11,14 +11,20 @@ macro_rules! mesh_file {
     };
 }
 
+mod amanita;
+mod banded_cactus;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod bodies;
 mod cactus;
 mod croton;
+mod croton_shrub;
+mod long_watermelon;
 mod mushroom;
 pub mod original;
 mod philodendron;
+mod sansevieria;
 mod spikes;
+mod square_watermelon;
 mod watermelon;
 
 use crate::surface::{Body, DirectionField, Group, Mesh, ObjError, PolygonMesh, SurfaceError};
@@ -125,8 +131,19 @@ pub struct View {
 
 /// All plants in the order of the chooser.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 5] =
-        [croton::PLANT, cactus::PLANT, watermelon::PLANT, mushroom::PLANT, philodendron::PLANT];
+    static ALL: [Plant; 11] = [
+        croton::PLANT,
+        cactus::PLANT,
+        watermelon::PLANT,
+        mushroom::PLANT,
+        philodendron::PLANT,
+        sansevieria::PLANT,
+        square_watermelon::PLANT,
+        croton_shrub::PLANT,
+        banded_cactus::PLANT,
+        long_watermelon::PLANT,
+        amanita::PLANT,
+    ];
     &ALL
 }
 
@@ -162,11 +179,19 @@ fn rough(at: f32, item: u32, purpose: u32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::{NO_TWIN, Place, Wrap};
-    use crate::tissue::{CellType::Foreground, Progress};
+    use crate::surface::{Cylinder, NO_TWIN, Place, Wrap};
+    use crate::tissue::CellType::{self, Foreground};
+    use crate::tissue::Progress;
+    use glam::Vec3;
 
     fn surface(key: &str) -> Mesh {
         find(key).unwrap().embedded_body().surface
+    }
+
+    /// What becomes of a first F cell in the middle of a triangle.
+    fn first_type(mesh: &Mesh, controls: &[Control], triangle: u32) -> CellType {
+        let centre = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
+        controls.iter().fold(Foreground, |kind, c| c.first_type(mesh, centre, kind))
     }
 
     #[test]
@@ -218,14 +243,50 @@ mod tests {
     }
 
     #[test]
-    fn a_melon_is_closed_and_caps_and_leaves_are_open() {
-        assert!(surface("watermelon").twins.iter().all(|&twin| twin != NO_TWIN));
-        for (key, parts) in
-            [("croton", 18), ("cactus", 2), ("watermelon", 1), ("mushroom", 2), ("philodendron", 6)]
-        {
-            assert_eq!(surface(key).part_count(), parts, "{key}");
+    fn melons_are_closed_and_caps_and_leaves_are_open() {
+        for (key, parts, closed) in [
+            ("croton", 18, false),
+            ("cactus", 2, false),
+            ("mushroom", 2, false),
+            ("philodendron", 6, false),
+            ("sansevieria", 6, false),
+            ("watermelon", 1, true),
+            ("square-watermelon", 1, true),
+            ("long-watermelon", 1, true),
+        ] {
+            let mesh = surface(key);
+            assert_eq!(mesh.part_count(), parts, "{key}");
+            assert_eq!(!mesh.twins.contains(&NO_TWIN), closed, "{key}");
         }
-        assert!(surface("mushroom").twins.contains(&NO_TWIN));
+    }
+
+    #[test]
+    fn a_square_melon_is_a_cube() {
+        let mesh = surface("square-watermelon");
+        let far = |axis: Vec3| mesh.positions.iter().map(|p| p.dot(axis)).fold(0.0, f32::max);
+        for width in [far(Vec3::X) + far(-Vec3::X), far(Vec3::Z) + far(-Vec3::Z), far(Vec3::Y)] {
+            assert!((18.0..19.2).contains(&width), "{width} cm");
+        }
+        // To the middle of an upright edge that is rounded by 3 cm.
+        let edge = far(Vec3::new(1.0, 0.0, 1.0).normalize());
+        assert!((edge - (6.0 * 2_f32.sqrt() + 3.0)).abs() < 0.3, "{edge} cm");
+    }
+
+    #[test]
+    fn a_snake_plant_has_clean_margins_and_bands_within() {
+        let mesh = surface("sansevieria");
+        let controls = (find("sansevieria").unwrap().controls)();
+        let mut shares = [0.0; 3];
+        for triangle in 0..mesh.triangles.len() as u32 {
+            let kind = first_type(&mesh, &controls, triangle);
+            shares[kind as usize] += mesh.areas[triangle as usize] / mesh.area;
+            // No leaf coordinate of one leaf lies on another's place in the image.
+            let corners = mesh.triangles[triangle as usize].map(|v| mesh.uvs[v as usize].x);
+            let place = mesh.parts[triangle as usize] as f32;
+            assert!(corners.iter().all(|x| (-1e-4..1.0001).contains(&(5.0 * (x + 1.0) - place))));
+        }
+        let expected = [0.27, 0.43, 0.3];
+        assert!(shares.iter().zip(expected).all(|(a, b)| (a - b).abs() < 0.04), "{shares:?}");
     }
 
     #[test]
@@ -245,24 +306,26 @@ mod tests {
 
     #[test]
     fn control_images_leave_both_types_their_share() {
-        for (key, white) in
-            [("croton", 0.7), ("watermelon", 0.36), ("mushroom", 0.9), ("philodendron", 0.4)]
-        {
+        for (key, white) in [
+            ("croton", 0.7),
+            ("watermelon", 0.36),
+            ("mushroom", 0.9),
+            ("philodendron", 0.4),
+            ("square-watermelon", 0.36),
+            ("long-watermelon", 0.36),
+            ("banded-cactus", 0.5),
+            ("amanita", 0.7),
+        ] {
             let mesh = surface(key);
             let controls = (find(key).unwrap().controls)();
             for control in &controls {
-                if let Wrap::Cylinder(cylinder) = control.wrap {
-                    assert!((cylinder.axis.length() - 1.0).abs() < 1e-6);
-                    assert!((cylinder.zero.length() - 1.0).abs() < 1e-6);
-                    assert!(cylinder.axis.dot(cylinder.zero).abs() < 1e-6);
-                }
+                let Wrap::Cylinder(Cylinder { axis, zero, .. }) = control.wrap else { continue };
+                assert!((axis.length() - 1.0).abs() < 1e-6);
+                assert!((zero.length() - 1.0).abs() < 1e-6);
+                assert!(axis.dot(zero).abs() < 1e-6);
             }
-            let allows_foreground = |triangle: u32| {
-                let centre = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
-                controls.iter().all(|c| c.first_type(&mesh, centre, Foreground) == Foreground)
-            };
             let allowed: f32 = (0..mesh.triangles.len() as u32)
-                .filter(|&t| allows_foreground(t))
+                .filter(|&t| first_type(&mesh, &controls, t) == Foreground)
                 .map(|t| mesh.areas[t as usize])
                 .sum();
             let share = allowed / mesh.area;

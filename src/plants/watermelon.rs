@@ -60,20 +60,24 @@ fn grow_body(obj: &str) -> Result<Body, BodyError> {
     Ok(Body::new(&super::smooth(obj, |_| 2)?)?)
 }
 
-/// Dark stripes on a cylinder along the fruit.
 fn stripes() -> Vec<Control> {
+    stripes_along(AXIS, CENTRE, HALF_LENGTH_CM)
+}
+
+/// Dark stripes on a cylinder along a fruit.
+pub(super) fn stripes_along(axis: Vec3, centre: Vec3, half_length_cm: f32) -> Vec<Control> {
     let cylinder = Cylinder {
-        base: CENTRE - AXIS * HALF_LENGTH_CM,
-        axis: AXIS,
-        zero: AXIS.cross(Vec3::Y).normalize(),
-        height: 2.0 * HALF_LENGTH_CM,
+        base: centre - axis * half_length_cm,
+        axis,
+        zero: axis.cross(Vec3::Y).normalize(),
+        height: 2.0 * half_length_cm,
     };
     let image = ControlImage::paint(512, 256, is_stripe);
     vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
 }
 
 /// Whether a first cell at this angle, in turns, and height may be dark.
-fn is_stripe(turns: f32, height: f32) -> bool {
+pub(super) fn is_stripe(turns: f32, height: f32) -> bool {
     let stripe = (turns * STRIPES as f32) as u32 % STRIPES;
     let from_middle = turns * STRIPES as f32 - stripe as f32 - 0.5;
     let side = u32::from(from_middle > 0.0);

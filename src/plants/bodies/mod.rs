@@ -7,7 +7,9 @@ mod cactus;
 mod croton;
 mod mushroom;
 mod philodendron;
+mod sansevieria;
 mod sketch;
+mod square_watermelon;
 mod watermelon;
 
 use crate::surface::{Mesh, PolygonMesh};
@@ -17,12 +19,15 @@ use std::collections::BTreeSet;
 type Rule = fn() -> PolygonMesh;
 
 /// The name of each file under `meshes/` and the rule that makes it.
-const RULES: [(&str, Rule); 5] = [
+const RULES: [(&str, Rule); 8] = [
     ("croton", croton::grow),
     ("cactus", cactus::grow),
     ("watermelon", watermelon::grow),
     ("mushroom", mushroom::grow),
     ("philodendron", philodendron::grow),
+    ("square_watermelon", square_watermelon::grow),
+    ("long_watermelon", watermelon::grow_long),
+    ("sansevieria", sansevieria::grow),
 ];
 
 fn path(name: &str) -> std::path::PathBuf {
@@ -53,7 +58,7 @@ fn rewrite_meshes() {
 
 #[test]
 fn leaves_do_not_cut_through_each_other() {
-    for key in ["croton", "philodendron"] {
+    for key in ["croton", "philodendron", "sansevieria"] {
         let cuts = cuts(&crate::plants::find(key).unwrap().embedded_body().surface);
         assert!(cuts.is_empty(), "{key}, pairs of leaves: {cuts:?}");
     }

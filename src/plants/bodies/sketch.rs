@@ -3,6 +3,7 @@
 
 use crate::surface::{Face, Group, PolygonMesh};
 use glam::{Vec2, Vec3};
+use std::collections::HashMap;
 use std::f32::consts::{FRAC_PI_4, TAU};
 
 /// A control mesh in the making. Sizes in centimetres, `y` up.
@@ -136,6 +137,33 @@ impl Sketch {
             self.band(&outer, &inner);
         }
         rim
+    }
+
+    /// A cube of `n` by `n` quads a face, blown up: `place` takes whole numbers from `-n / 2` to
+    /// `n / 2` to a point. There are no poles, and for an even `n` the middles of the faces are
+    /// vertices.
+    pub fn cube(&mut self, n: i32, place: impl Fn([i32; 3]) -> Vec3) {
+        let mut vertices = HashMap::new();
+        let corner = |axis: usize, end: i32, i: i32, j: i32| {
+            let mut at = [0; 3];
+            at[axis] = end * n / 2;
+            at[(axis + 1) % 3] = i - n / 2;
+            at[(axis + 2) % 3] = j - n / 2;
+            at
+        };
+        for (axis, end) in (0..3).flat_map(|axis| [(axis, -1), (axis, 1)]) {
+            for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+                let mut around = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
+                if end < 0 {
+                    around.reverse();
+                }
+                let face = around.map(|(i, j)| {
+                    let at = corner(axis, end, i, j);
+                    *vertices.entry(at).or_insert_with(|| self.vertex(place(at)))
+                });
+                self.face(&face);
+            }
+        }
     }
 
     /// A pebble: a cube with shaken corners that refinement makes round.
