@@ -50,7 +50,8 @@ pub const FIGURES: &[Figure] = &[
         number: "4.3",
         title: "A croton grows old",
         caption: "One shrub on four days. Yellow cells divide twice as often as green ones, so a \
-                  green plant turns yellow without a single cell changing its colour.",
+                  green plant grows more and more yellow without a single cell changing its \
+                  colour.",
         pictures: &[
             picture("day 5", "croton?v=1&s=1&d=5"),
             picture("day 15", "croton?v=1&s=1&d=15"),
@@ -120,7 +121,7 @@ pub const FIGURES: &[Figure] = &[
         number: "4.13",
         title: "A cactus with belts",
         caption: "A control image lets first cells be yellow in belts round the columns. Yellow \
-                  cells cling together, and the belts stay whole as they widen.",
+                  cells cling together closely, and the belts stay whole.",
         pictures: &[picture("day 25", "banded-cactus?v=1&s=1&d=25")],
     },
     Figure {
@@ -134,7 +135,7 @@ pub const FIGURES: &[Figure] = &[
         number: "4.15",
         title: "Three fly agarics",
         caption: "Only the pace of the red cells differs. When they divide every 6 days they crowd \
-                  the white warts, at 8 days both keep pace, and at 20 days white takes over.",
+                  the white warts, at 8 days both keep pace, and at 20 days white spreads.",
         pictures: &[
             picture("D_F 6 days", "mushroom?v=1&s=1&d=20&df=6"),
             picture("D_F 8 days", "mushroom?v=1&s=1&d=20"),
