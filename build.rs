@@ -27,7 +27,7 @@ fn main() {
 /// The shaders in the order in which they build on each other, without comments and margins.
 fn shaders() -> String {
     let mut text = String::new();
-    for name in ["scene", "mosaic", "body", "ground"] {
+    for name in ["scene", "mosaic", "diagram", "body", "ground"] {
         let file = format!("src/draw/shaders/{name}.wgsl");
         for line in std::fs::read_to_string(file).expect("a shader can be read").lines() {
             let code = line.split("//").next().unwrap_or_default().trim();

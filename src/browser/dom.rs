@@ -6,7 +6,10 @@
 use std::fmt::Display;
 use wasm_bindgen::convert::FromWasmAbi;
 use wasm_bindgen::prelude::*;
-use web_sys::{Document, Element, EventTarget, HtmlElement, HtmlInputElement, Window};
+use web_sys::{
+    Document, Element, EventTarget, HtmlElement, HtmlInputElement, HtmlOptionElement,
+    HtmlSelectElement, Window,
+};
 
 pub fn window() -> Window {
     web_sys::window().expect("a page has a window")
@@ -50,6 +53,19 @@ pub fn set_attribute(element: &Element, name: &str, value: impl Display) {
         // Fails only for names that are none.
         let _ = element.set_attribute(name, &value);
     }
+}
+
+/// Makes these the options of a select, each by its value and text; how many they are.
+pub fn offer(
+    select: &HtmlSelectElement,
+    options: impl Iterator<Item = (impl Display, impl Display)>,
+) -> usize {
+    select.set_text_content(None);
+    let options = options.filter_map(|(value, text)| {
+        let (value, text) = (value.to_string(), text.to_string());
+        HtmlOptionElement::new_with_text_and_value(&text, &value).ok()
+    });
+    options.map(|option| select.append_child(&option)).count()
 }
 
 /// Sets or takes away an attribute without a value.

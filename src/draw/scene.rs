@@ -1,6 +1,6 @@
 //! The numbers of a frame as the shaders read them.
 
-use super::{Frame, geometry::Bounds};
+use super::{Frame, diagram::Covering, geometry::Bounds};
 use crate::plants::Look;
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3, Vec4};
@@ -24,6 +24,8 @@ pub struct Scene {
     look: Vec4,
     tissue: Vec4,
     ground: Vec4,
+    diagram: Vec4,
+    ink: Vec4,
     bare: [Vec4; BARE_MATERIALS],
 }
 
@@ -48,6 +50,17 @@ impl Scene {
     /// Mean distance between neighbouring cells, in centimetres.
     pub fn set_mean_spacing(&mut self, mean_spacing_cm: f32) {
         self.tissue.x = mean_spacing_cm.max(1e-6);
+    }
+
+    /// What covers the surface, and the colour of a diagram's lines.
+    pub fn set_diagram(&mut self, covering: &Covering, ink: [f32; 3]) {
+        (self.diagram.x, self.diagram.y) = (covering.kind as f32, covering.layers as f32);
+        self.ink = linear(ink).extend(1.0);
+    }
+
+    /// Width and height of the canvas, in device pixels.
+    pub fn set_size(&mut self, width: u32, height: u32) {
+        (self.diagram.z, self.diagram.w) = (width as f32, height as f32);
     }
 
     pub fn set_frame(&mut self, frame: &Frame) {

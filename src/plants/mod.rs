@@ -18,17 +18,21 @@ mod bodies;
 mod cactus;
 mod croton;
 mod croton_shrub;
+mod diagram;
 mod long_watermelon;
 mod mushroom;
 pub mod original;
 mod philodendron;
 mod sansevieria;
+mod show;
 mod spikes;
 mod square_watermelon;
 mod watermelon;
 
 use crate::surface::{Body, DirectionField, Group, Mesh, ObjError, PolygonMesh, SurfaceError};
 use crate::tissue::{Control, Growth, Recipe, RecipeError};
+pub use diagram::{Coat, Diagram, Layer};
+pub use show::Show;
 use std::sync::Arc;
 
 /// A plant of the playground.
@@ -51,9 +55,10 @@ pub struct Plant {
     pub mesh: MeshFile,
     /// Grows the body from the text of its mesh file.
     pub body: fn(obj: &str) -> Result<Body, BodyError>,
-    pub controls: fn() -> Vec<Control>,
-    /// The direction field of its surface, if it has one.
-    pub field: fn(&Mesh) -> Option<DirectionField>,
+    /// Paints its control images, if it has some.
+    pub controls: Option<fn() -> Vec<Control>>,
+    /// Leads the direction field over its surface, if it has one.
+    pub field: Option<fn(&Mesh) -> DirectionField>,
 }
 
 impl Plant {
@@ -65,12 +70,17 @@ impl Plant {
         recipe: Recipe,
         individual: u32,
     ) -> Result<Growth, RecipeError> {
-        let field = (self.field)(&surface);
-        let growth = Growth::new(surface, recipe, &(self.controls)(), individual)?;
+        let field = self.field.map(|lead| lead(&surface));
+        let growth = Growth::new(surface, recipe, &self.controls(), individual)?;
         Ok(match field {
             Some(field) => growth.along(field),
             None => growth,
         })
+    }
+
+    /// Its control images, painted anew, in the order in which they are asked.
+    pub fn controls(&self) -> Vec<Control> {
+        self.controls.map(|paint| paint()).unwrap_or_default()
     }
 }
 
@@ -275,7 +285,7 @@ mod tests {
     #[test]
     fn a_snake_plant_has_clean_margins_and_bands_within() {
         let mesh = surface("sansevieria");
-        let controls = (find("sansevieria").unwrap().controls)();
+        let controls = find("sansevieria").unwrap().controls();
         let mut shares = [0.0; 3];
         for triangle in 0..mesh.triangles.len() as u32 {
             let kind = first_type(&mesh, &controls, triangle);
@@ -317,7 +327,7 @@ mod tests {
             ("amanita", 0.7),
         ] {
             let mesh = surface(key);
-            let controls = (find(key).unwrap().controls)();
+            let controls = find(key).unwrap().controls();
             for control in &controls {
                 let Wrap::Cylinder(Cylinder { axis, zero, .. }) = control.wrap else { continue };
                 assert!((axis.length() - 1.0).abs() < 1e-6);

@@ -6,7 +6,7 @@
 use super::camera::Orbit;
 use super::parameters::{PARAMETERS, Parameter};
 use super::scene::{FIRST_INDIVIDUAL, Scene};
-use crate::plants::Plant;
+use crate::plants::{Plant, Show};
 use glam::Vec2;
 use std::fmt::Write;
 
@@ -31,6 +31,9 @@ pub fn write(scene: &Scene) -> String {
         if value != parameter.get(&preset) {
             let _ = write!(link, "&{}={value}", parameter.key);
         }
+    }
+    if scene.show != preset.show {
+        let _ = write!(link, "&show={}", scene.show.key());
     }
     let orbit = scene.orbit.rounded();
     if orbit != preset.orbit.rounded() {
@@ -73,6 +76,7 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
                 "v" => check_version(value),
                 "s" => whole(value).map(|n| scene.individual = n),
                 "d" => whole(value).map(|n| wished_day = Some(n)),
+                "show" => read_show(plant, value).map(|show| scene.show = show),
                 "view" => read_orbit(value).map(|orbit| scene.orbit = orbit),
                 _ => read_parameter(&mut scene, key, value),
             }
@@ -105,6 +109,16 @@ fn read_parameter(scene: &mut Scene, key: &str, value: &str) -> Result<(), Strin
         return Err("this playground does not know it".to_string());
     };
     parameter.set(scene, number(value)?)
+}
+
+fn read_show(plant: &Plant, value: &str) -> Result<Show, String> {
+    let Some(show) = Show::of_key(value) else {
+        return Err("there is nothing of that name to show".to_string());
+    };
+    match show.is_of(plant) {
+        true => Ok(show),
+        false => Err("this plant has nothing of that kind to show".to_string()),
+    }
 }
 
 fn read_orbit(value: &str) -> Result<Orbit, String> {
@@ -198,6 +212,31 @@ mod tests {
             assert!(opened.scene == scene, "{}", write(&scene));
             assert_eq!(opened.scene.recipe, scene.recipe);
         }
+    }
+
+    #[test]
+    fn what_is_shown_comes_back_where_the_plant_has_it() {
+        for plant in crate::plants::all() {
+            for show in Show::offered(plant) {
+                let scene = Scene { show, ..Scene::preset(plant, 2) };
+                let link = write(&scene);
+                assert_eq!(link.contains("show="), show != Show::Cells, "{link}");
+                let opened = read(&link, crate::plants::all());
+                assert_eq!((opened.scene.show, opened.left_out), (show, Vec::new()), "{link}");
+            }
+        }
+        let told = ["show=field-x", "show=bones"].map(|pair| {
+            let opened = read(&format!("croton?v=1&{pair}"), crate::plants::all());
+            assert_eq!(opened.scene.show, Show::Cells);
+            opened.left_out.concat()
+        });
+        assert_eq!(
+            told,
+            [
+                "“show=field-x” was left out: this plant has nothing of that kind to show.",
+                "“show=bones” was left out: there is nothing of that name to show.",
+            ]
+        );
     }
 
     #[test]

@@ -12,7 +12,7 @@ use super::protocol::{BUILD, ToPage, ToWorker};
 use super::run::{DayFacts, End, Run};
 use super::scene::Scene;
 use super::words;
-use crate::plants::Plant;
+use crate::plants::{Plant, Show};
 use glam::Vec2;
 
 /// What can happen to the page.
@@ -31,6 +31,8 @@ pub enum Event {
     },
     /// All parameters back to the preset.
     ResetParameters,
+    /// Something else is to be seen on the body.
+    Show(Show),
     /// A day is wished.
     Seek(u32),
     /// Days on (or back) from the wished one.
@@ -252,9 +254,10 @@ impl Page {
 
     /// The picture in words: `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
     pub fn description(&self) -> String {
+        let Scene { plant, individual, show, .. } = &self.scene;
         match &self.shown.day {
-            Some(day) => words::describe(self.scene.plant, self.shown.individual, day),
-            None => format!("{}, individual {}", self.scene.plant.name, self.scene.individual),
+            Some(day) => words::describe(plant, self.shown.individual, day, *show),
+            None => format!("{}, individual {individual}", plant.name),
         }
     }
 
@@ -292,8 +295,10 @@ impl Page {
                 let wished = self.wished_scene();
                 let preset = Scene::preset(wished.plant, wished.individual);
                 let day = wished.day.min(preset.recipe.days);
-                self.adopt(Scene { day, orbit: wished.orbit, ..preset }, effects);
+                let Scene { orbit, show, .. } = wished;
+                self.adopt(Scene { day, orbit, show, ..preset }, effects);
             }
+            Event::Show(show) => self.adopt(Scene { show, ..self.wished_scene() }, effects),
             Event::Seek(day) => self.playhead.seek(day.min(last_day), newest),
             Event::StepDays(by) => {
                 let day = self.playhead.wished_day().saturating_add_signed(by);

@@ -3,7 +3,7 @@
 
 use super::camera::Orbit;
 use super::link;
-use crate::plants::{Look, Plant};
+use crate::plants::{Look, Plant, Show};
 use crate::tissue::Recipe;
 
 /// The individual that a visitor meets first.
@@ -21,6 +21,8 @@ pub struct Scene {
     pub recipe: Recipe,
     /// The colours of the plant with the visitor's changes.
     pub look: Look,
+    /// What is seen on the body; the plant has it.
+    pub show: Show,
     pub orbit: Orbit,
 }
 
@@ -33,6 +35,7 @@ impl Scene {
             day: plant.first_day.min(plant.recipe.days),
             recipe: plant.recipe.clone(),
             look: plant.look.clone(),
+            show: Show::Cells,
             orbit: Orbit::of(&plant.view),
         }
     }

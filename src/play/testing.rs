@@ -41,8 +41,8 @@ const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
         view: View { azimuth_deg: 0.0, elevation_deg: 20.0, zoom: 1.0 },
         mesh: MeshFile { name: key, text: "" },
         body: sheet,
-        controls: Vec::new,
-        field: |_| None,
+        controls: None,
+        field: None,
     }
 }
 

@@ -2,20 +2,23 @@
 
 use super::page::ShownDay;
 use super::run::Run;
-use crate::plants::Plant;
+use crate::plants::{Plant, Show};
 use crate::tissue::Recipe;
 
-/// `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
-pub fn describe(plant: &Plant, individual: u32, day: &ShownDay) -> String {
+/// `Croton, individual 7, day 12: 31,402 cells, 38% yellow`, and what is seen in place of the cells:
+/// `. Control images`.
+pub fn describe(plant: &Plant, individual: u32, day: &ShownDay, show: Show) -> String {
     let count = day.facts.count;
+    let instead = if show == Show::Cells { ["", ""] } else { [". ", show.name()] };
     format!(
-        "{}, individual {individual}, day {}: {} {}, {} {}",
+        "{}, individual {individual}, day {}: {} {}, {} {}{}",
         plant.name,
         day.day,
         grouped(count.cells),
         if count.cells == 1 { "cell" } else { "cells" },
         share(count.by_type[0], count.cells),
-        plant.colour_names[0]
+        plant.colour_names[0],
+        instead.concat()
     )
 }
 

@@ -105,7 +105,7 @@ impl Subject {
         while growth.step() != Progress::Done {}
         let diary = growth.diary;
         let first_cells = diary.count(0).by_type;
-        let expected = expected_cells(&recipe, &(plant.controls)(), first_cells, day as usize);
+        let expected = expected_cells(&recipe, &plant.controls(), first_cells, day as usize);
         let pattern = Pattern::of(&self.mesh, &mut Charts::new(&self.mesh), &diary, day as usize);
         Row {
             item: 0,

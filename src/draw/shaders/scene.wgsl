@@ -18,6 +18,11 @@ struct Scene {
     tissue: vec4f,
     // Centre on the ground, and radius of the ground disc.
     ground: vec4f,
+    // What covers the surface (0: the mosaic, 1: colours of triangles, 2: layers), number of layers,
+    // width and height of the canvas in pixels.
+    diagram: vec4f,
+    // Colour of a diagram's lines.
+    ink: vec4f,
     // Colours of the bare materials. w: gloss.
     bare: array<vec4f, 16>,
 }
