@@ -55,17 +55,11 @@ pub fn set_attribute(element: &Element, name: &str, value: impl Display) {
     }
 }
 
-/// Makes these the options of a select, each by its value and text; how many they are.
-pub fn offer(
-    select: &HtmlSelectElement,
-    options: impl Iterator<Item = (impl Display, impl Display)>,
-) -> usize {
-    select.set_text_content(None);
-    let options = options.filter_map(|(value, text)| {
-        let (value, text) = (value.to_string(), text.to_string());
-        HtmlOptionElement::new_with_text_and_value(&text, &value).ok()
-    });
-    options.map(|option| select.append_child(&option)).count()
+/// Adds an option to a select.
+pub fn offer(select: &HtmlSelectElement, value: &str, text: &str) {
+    if let Ok(option) = HtmlOptionElement::new_with_text_and_value(text, value) {
+        let _ = select.append_child(&option);
+    }
 }
 
 /// Sets or takes away an attribute without a value.

@@ -10,7 +10,8 @@ pub struct ShowChooser {
     element: Element,
     select: HtmlSelectElement,
     meaning: Element,
-    plant: Option<&'static str>,
+    /// The plant and what is chosen for it.
+    chosen: Option<(&'static str, Show)>,
     _listener: Listener,
 }
 
@@ -24,19 +25,22 @@ impl ShowChooser {
             }
         });
         let (element, meaning) = (find("shows"), find("show-meaning"));
-        ShowChooser { element, select, meaning, plant: None, _listener: listener }
+        ShowChooser { element, select, meaning, chosen: None, _listener: listener }
     }
 
     /// Offers what the plant has. A plant that has nothing but its cells leaves no choice.
     pub fn show(&mut self, page: &Page) {
         let (plant, show) = (page.scene().plant, page.scene().show);
-        if self.plant.replace(plant.key) != Some(plant.key) {
-            let shows = Show::offered(plant).map(|show| (show.key(), show.name()));
-            set_flag(&self.element, "hidden", offer(&self.select, shows) < 2);
+        let before = self.chosen.replace((plant.key, show));
+        if before == self.chosen {
+            return;
         }
-        if self.select.value() != show.key() {
-            self.select.set_value(show.key());
+        if before.is_none_or(|(key, _)| key != plant.key) {
+            self.select.set_text_content(None);
+            Show::offered(plant).for_each(|show| offer(&self.select, show.key(), show.name()));
+            set_flag(&self.element, "hidden", self.select.length() < 2);
         }
+        self.select.set_value(show.key());
         set_text(&self.meaning, &show.meaning(plant));
     }
 }

@@ -235,7 +235,7 @@ impl Stage {
         }
         if handed.show != picture.show {
             let diagram = picture.show.diagram(picture.plant, &on_stage.body.surface);
-            renderer.set_diagram(diagram.as_ref())?;
+            renderer.set_diagram(&diagram)?;
             handed.show = picture.show;
             handed.frame = None;
         }

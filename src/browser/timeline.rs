@@ -25,7 +25,10 @@ impl Timeline {
         let slider: HtmlInputElement = find("day");
         let number: HtmlInputElement = find("day-number");
         let speed: HtmlSelectElement = find("speed");
-        offer(&speed, SPEEDS.iter().map(|speed| (speed, format!("{speed}×"))));
+        speed.set_text_content(None);
+        for times in SPEEDS {
+            offer(&speed, &times.to_string(), &format!("{times}×"));
+        }
         speed.set_value("1");
         let mut listeners = Vec::new();
         let hand = slider.clone();

@@ -1,12 +1,12 @@
 //! Holds what stands on the graphics card, and draws frames of it.
 
 use super::data_texture::DataTexture;
-use super::diagram::Covering;
+use super::diagram;
 use super::geometry::{Geometry, vein_lean};
 use super::pipelines::{DEPTH, Pipelines, SAMPLES};
 use super::scene::{BARE_MATERIALS, SHADOW_SIDE, Scene};
 use super::{DrawError, Frame};
-use crate::mosaic::{Site, SiteLists};
+use crate::mosaic::SiteLists;
 use crate::plants::{Diagram, Look};
 use crate::surface::{Body, NO_TWIN};
 use bytemuck::Zeroable;
@@ -140,22 +140,20 @@ impl Renderer {
             self.scene.set_bare(number, colour, gloss);
         }
         self.model = Some(Model::new(&self.device, &geometry));
-        self.scene.set_diagram(&Covering::default(), [0.0; 3]);
+        self.scene.set_diagram(&Diagram::default());
         self.heads = DataTexture::new(&self.device);
         self.bind_sites();
     }
 
-    /// Draws a diagram in place of the cells, or the cells again; call it after `set_body`, which
-    /// shows the cells. Errors if the diagram does not fit into the textures of this device.
-    pub fn set_diagram(&mut self, diagram: Option<&Diagram>) -> Result<(), DrawError> {
-        let covering = diagram.map(|d| Covering::new(&d.surface)).unwrap_or_default();
-        if self.covering.write(&self.device, &self.queue, &covering.records)? {
+    /// Draws a diagram in place of the cells, or, when it is empty, the cells; call it after
+    /// `set_body`, which shows the cells. Errors if it does not fit into the textures of this device.
+    pub fn set_diagram(&mut self, diagram: &Diagram) -> Result<(), DrawError> {
+        if self.covering.write(&self.device, &self.queue, &diagram::pack(diagram))? {
             self.bind_sites();
         }
-        let (lines, ink) = diagram.map_or((&[][..], [0.0; 3]), |d| (&d.lines, d.ink));
-        self.scene.set_diagram(&covering, ink);
+        self.scene.set_diagram(diagram);
         if let Some(model) = &mut self.model {
-            model.set_lines(&self.device, lines);
+            model.set_lines(&self.device, &diagram.lines);
         }
         Ok(())
     }
@@ -165,9 +163,10 @@ impl Renderer {
     /// textures of this device; what was shown before may then be incomplete.
     pub fn set_sites(&mut self, lists: &SiteLists, mean_spacing_cm: f32) -> Result<(), DrawError> {
         self.scene.set_mean_spacing(mean_spacing_cm);
-        let heads_grew = self.heads.write(&self.device, &self.queue, &lists.heads)?;
-        let pairs: &[[Site; 2]] = bytemuck::cast_slice(&lists.sites);
-        let sites_grew = self.sites.write(&self.device, &self.queue, pairs)?;
+        let heads_grew =
+            self.heads.write(&self.device, &self.queue, bytemuck::cast_slice(&lists.heads))?;
+        let sites_grew =
+            self.sites.write(&self.device, &self.queue, bytemuck::cast_slice(&lists.sites))?;
         if heads_grew || sites_grew {
             self.bind_sites();
         }
@@ -240,7 +239,7 @@ impl Renderer {
             if let Some((lines, count)) = &model.lines {
                 pass.set_pipeline(&self.pipelines.lines);
                 pass.set_vertex_buffer(0, lines.slice(..));
-                pass.draw(0..6, 0..*count);
+                pass.draw(0..9, 0..*count);
             }
             // From below the ground there is no shadow to see.
             if frame.eye.y > model.ground_height {

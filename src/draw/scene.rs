@@ -1,7 +1,7 @@
 //! The numbers of a frame as the shaders read them.
 
-use super::{Frame, diagram::Covering, geometry::Bounds};
-use crate::plants::Look;
+use super::{Frame, geometry::Bounds};
+use crate::plants::{Diagram, Look};
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3, Vec4};
 
@@ -52,10 +52,11 @@ impl Scene {
         self.tissue.x = mean_spacing_cm.max(1e-6);
     }
 
-    /// What covers the surface, and the colour of a diagram's lines.
-    pub fn set_diagram(&mut self, covering: &Covering, ink: [f32; 3]) {
-        (self.diagram.x, self.diagram.y) = (covering.kind as f32, covering.layers as f32);
-        self.ink = linear(ink).extend(1.0);
+    /// What covers the surface, and how a diagram's lines are drawn.
+    pub fn set_diagram(&mut self, diagram: &Diagram) {
+        self.diagram.x = flag(!diagram.colours.is_empty());
+        self.diagram.y = diagram.layers.len() as f32;
+        self.ink = linear(diagram.ink).extend(diagram.head);
     }
 
     /// Width and height of the canvas, in device pixels.

@@ -31,7 +31,7 @@ mod watermelon;
 
 use crate::surface::{Body, DirectionField, Group, Mesh, ObjError, PolygonMesh, SurfaceError};
 use crate::tissue::{Control, Growth, Recipe, RecipeError};
-pub use diagram::{Coat, Diagram, Layer};
+pub use diagram::{Diagram, Layer};
 pub use show::Show;
 use std::sync::Arc;
 

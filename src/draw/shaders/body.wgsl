@@ -65,9 +65,9 @@ fn fs_body(in: Fragment, @builtin(front_facing) front: bool) -> @location(0) vec
     let outward = normalize(in.normal);
     var normal = select(-outward, outward, front);
 
-    if scene.diagram.x > 0.5 {
+    if scene.diagram.x + scene.diagram.y > 0.0 {
         var covering = triangle_colour(in.number);
-        if scene.diagram.x > 1.5 {
+        if scene.diagram.y > 0.0 {
             covering = layers_colour(in.world, world_dx, world_dy, in.uv, uv_dx, uv_dy);
         }
         // Matt, so that colours can be read.
