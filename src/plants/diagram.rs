@@ -54,7 +54,8 @@ impl Show {
 /// colour. Triangles without direction are bare paper.
 fn directions(show: Show, mesh: &Mesh, field: &DirectionField) -> Diagram {
     let count = mesh.triangles.len();
-    let length_cm = 1.25 * (mesh.area / count as f32).sqrt();
+    // So long that those of neighbours that point the same way do not run into each other.
+    let length_cm = 0.9 * (mesh.area / count as f32).sqrt();
     let mut colours = vec![PAPER; count];
     let mut lines = Vec::new();
     for triangle in 0..count as u32 {
@@ -76,14 +77,15 @@ fn directions(show: Show, mesh: &Mesh, field: &DirectionField) -> Diagram {
         };
         colours[triangle as usize] = hue_of_angle(cosine);
     }
-    Diagram { colours, lines, ink: INK, head: 0.42, ..Diagram::default() }
+    Diagram { colours, lines, ink: INK, head: 0.4, ..Diagram::default() }
 }
 
 /// The colour whose hue in HSV is the angle, given by its cosine: red along (0 degrees),
-/// yellow-green across (90), cyan against (180) (Thesis 3.2.4).
+/// yellow-green across (90), cyan against (180) (Thesis 3.2.4). Not as bright as can be, so that light
+/// and shade are seen on it.
 fn hue_of_angle(cosine: f32) -> [u8; 4] {
     let sixths = libm::acosf(cosine.clamp(-1.0, 1.0)) / (TAU / 6.0);
-    let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+    let byte = |x: f32| (x.clamp(0.0, 1.0) * 216.0) as u8;
     [byte(2.0 - sixths), byte(sixths), byte(sixths - 2.0), 0]
 }
 
@@ -157,11 +159,11 @@ mod tests {
 
     #[test]
     fn along_is_red_and_across_is_yellow_green() {
-        assert_eq!(hue_of_angle(1.0), [255, 0, 0, 0]);
-        assert_eq!(hue_of_angle(0.5), [255, 255, 0, 0]);
-        assert_eq!(hue_of_angle(0.0), [128, 255, 0, 0]);
-        assert_eq!(hue_of_angle(-0.5), [0, 255, 0, 0]);
-        assert_eq!(hue_of_angle(-1.0), [0, 255, 255, 0]);
+        assert_eq!(hue_of_angle(1.0), [216, 0, 0, 0]);
+        assert_eq!(hue_of_angle(0.5), [216, 216, 0, 0]);
+        assert_eq!(hue_of_angle(0.0), [108, 216, 0, 0]);
+        assert_eq!(hue_of_angle(-0.5), [0, 216, 0, 0]);
+        assert_eq!(hue_of_angle(-1.0), [0, 216, 216, 0]);
     }
 
     #[test]

@@ -30,7 +30,7 @@ const WORDS: [[&str; 3]; 6] = [
     [
         "field-arrows",
         "Direction field: arrows",
-        "Each triangle turns the steps of its cells that way.",
+        "Each triangle turns the steps of its cells that way. From afar fewer arrows are drawn.",
     ],
     ["field-x", "Direction field: angle with x, to the right", ANGLES],
     ["field-y", "Direction field: angle with y, upwards", ANGLES],

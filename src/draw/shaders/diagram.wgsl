@@ -55,22 +55,33 @@ fn layers_colour(world: vec3f, world_dx: vec3f, world_dy: vec3f, leaf: vec2f, le
     return vec3f(mix(0.015, 0.8, sum / 9.0));
 }
 
-// A line of a little over a pixel and, if the ink has arrows, their heads at its end.
+// A line of a little over a pixel and, if the ink has arrows, their heads at its end. Arrows are at
+// least a 40th of the picture long: from afar only every 8th or 32nd one is drawn, as much longer.
+// Refinement has put the triangles into that order.
 @vertex
-fn vs_line(@builtin(vertex_index) corner: u32, @location(0) start: vec3f, @location(1) end: vec3f)
-    -> @builtin(position) vec4f {
-    let from_clip = lifted(start);
-    let to_clip = lifted(end);
+fn vs_line(@builtin(vertex_index) corner: u32, @builtin(instance_index) number: u32,
+           @location(0) start: vec3f, @location(1) end: vec3f) -> @builtin(position) vec4f {
+    let view = scene.view_projection;
+    let head = scene.ink.w;
+    let upright = length(vec3f(view[0].y, view[1].y, view[2].y));
+    let share = distance(start, end) * upright / (view * vec4f(scene.ground.xyz, 1.0)).w;
+    var every = 1u;
+    if head > 0.0 && share < 0.05 {
+        every = select(8u, 32u, share * sqrt(8.0) < 0.05);
+    }
+    let half_way = (end - start) * select(0.0, 0.5 * sqrt(f32(every)), number % every == 0u);
+    let middle = (start + end) * 0.5;
+    let from_clip = lifted(middle - half_way);
+    let to_clip = lifted(middle + half_way);
     let size = scene.diagram.zw;
     let way = (to_clip.xy / to_clip.w - from_clip.xy / from_clip.w) * size;
-    let head = scene.ink.w;
     // Two triangles, 0, 1, 2 and 1, 2, 3, and a third one for the head.
     let k = corner % 3u + corner / 3u;
     var along = select(0.0, 1.0 - head, k > 1u);
     var half_width = max(1.3, size.y / 700.0) / max(length(way), 1e-6);
     if corner > 5u {
         along = select(1.0 - head, 1.0, k == 4u);
-        half_width = select(head * 0.5, 0.0, k == 4u);
+        half_width = select(head * 0.45, 0.0, k == 4u);
     }
     let here = mix(from_clip, to_clip, along);
     let side = vec2f(-way.y, way.x) * select(-half_width, half_width, (k & 1u) == 1u);
