@@ -84,7 +84,8 @@ fn directions(show: Show, mesh: &Mesh, field: &DirectionField) -> Diagram {
 /// yellow-green across (90), cyan against (180) (Thesis 3.2.4). Not as bright as can be, so that light
 /// and shade are seen on it.
 fn hue_of_angle(cosine: f32) -> [u8; 4] {
-    let sixths = libm::acosf(cosine.clamp(-1.0, 1.0)) / (TAU / 6.0);
+    let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+    let sixths = libm::atan2f(sine, cosine) / (TAU / 6.0);
     let byte = |x: f32| (x.clamp(0.0, 1.0) * 216.0) as u8;
     [byte(2.0 - sixths), byte(sixths), byte(sixths - 2.0), 0]
 }

@@ -22,7 +22,8 @@ use Show::*;
 
 const ALL: [Show; 6] = [Cells, FieldArrows, FieldX, FieldY, FieldZ, ControlImages];
 
-const ANGLES: &str = "Red: along the axis; yellow-green: across it; cyan: against it.";
+const ANGLES: &str = "Red: along the axis; yellow-green: across it; cyan: against it. x points to \
+                      the right, y up, z to the front.";
 
 /// For each of them its word in links, never to be given to another, its name, and how to read it.
 const WORDS: [[&str; 3]; 6] = [
@@ -30,11 +31,11 @@ const WORDS: [[&str; 3]; 6] = [
     [
         "field-arrows",
         "Direction field: arrows",
-        "Each triangle turns the steps of its cells that way. From afar fewer arrows are drawn.",
+        "Each triangle turns the steps of its cells that way. From afar, fewer arrows are drawn.",
     ],
-    ["field-x", "Direction field: angle with x, to the right", ANGLES],
-    ["field-y", "Direction field: angle with y, upwards", ANGLES],
-    ["field-z", "Direction field: angle with z, to the front", ANGLES],
+    ["field-x", "Direction field: angle with x", ANGLES],
+    ["field-y", "Direction field: angle with y", ANGLES],
+    ["field-z", "Direction field: angle with z", ANGLES],
     [
         "controls",
         "Control images",

@@ -55,9 +55,9 @@ fn layers_colour(world: vec3f, world_dx: vec3f, world_dy: vec3f, leaf: vec2f, le
     return vec3f(mix(0.015, 0.8, sum / 9.0));
 }
 
-// A line of a little over a pixel and, if the ink has arrows, their heads at its end. Arrows are at
-// least a 40th of the picture long: from afar only every 8th or 32nd one is drawn, as much longer.
-// Refinement has put the triangles into that order.
+// A line of a little over a pixel and, if the ink has arrows, their heads at its end. Where arrows
+// are shorter than a 50th of the picture, one in 32 is drawn, as much longer: the first of those into
+// which two rounds of refinement cut a quad.
 @vertex
 fn vs_line(@builtin(vertex_index) corner: u32, @builtin(instance_index) number: u32,
            @location(0) start: vec3f, @location(1) end: vec3f) -> @builtin(position) vec4f {
@@ -65,10 +65,7 @@ fn vs_line(@builtin(vertex_index) corner: u32, @builtin(instance_index) number: 
     let head = scene.ink.w;
     let upright = length(vec3f(view[0].y, view[1].y, view[2].y));
     let share = distance(start, end) * upright / (view * vec4f(scene.ground.xyz, 1.0)).w;
-    var every = 1u;
-    if head > 0.0 && share < 0.05 {
-        every = select(8u, 32u, share * sqrt(8.0) < 0.05);
-    }
+    let every = select(1u, 32u, head > 0.0 && share < 0.04);
     let half_way = (end - start) * select(0.0, 0.5 * sqrt(f32(every)), number % every == 0u);
     let middle = (start + end) * 0.5;
     let from_clip = lifted(middle - half_way);
