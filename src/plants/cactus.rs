@@ -54,7 +54,7 @@ pub const PLANT: Plant = Plant {
 };
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    let mut mesh = super::smooth(obj, |group| {
+    let mut mesh = super::smooth(obj, &|group| {
         match group.material.as_str() {
             "bare:areole" => 0,
             // About as many triangles as cells: the repulsive radius is four times the spacing, and

@@ -54,7 +54,7 @@ pub const PLANT: Plant = Plant {
 };
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    let mesh = super::smooth(obj, |group| match group.material.as_str() {
+    let mesh = super::smooth(obj, &|group| match group.material.as_str() {
         "bare:petiole" | "bare:soil" => 1,
         _ => 2,
     })?;

@@ -152,7 +152,7 @@ pub fn find(key: &str) -> Option<&'static Plant> {
 }
 
 /// The mesh of a text, each group refined so many times.
-fn smooth(obj: &str, levels: impl Fn(&Group) -> u32) -> Result<PolygonMesh, BodyError> {
+fn smooth(obj: &str, levels: &dyn Fn(&Group) -> u32) -> Result<PolygonMesh, BodyError> {
     Ok(PolygonMesh::parse(obj)?.refined_by(levels))
 }
 

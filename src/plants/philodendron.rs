@@ -58,7 +58,7 @@ pub const PLANT: Plant = Plant {
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
     let levels = |group: &Group| if group.material == "bare:soil" { 1 } else { 2 };
-    Ok(Body::new(&super::smooth(obj, levels)?)?)
+    Ok(Body::new(&super::smooth(obj, &levels)?)?)
 }
 
 /// How far a side vein goes along the leaf on its way from midrib to rim.

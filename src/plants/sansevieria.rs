@@ -73,7 +73,7 @@ fn smooth_step(t: f32) -> f32 {
 }
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    Ok(Body::new(&super::smooth(obj, |_| 2)?)?)
+    Ok(Body::new(&super::smooth(obj, &|_| 2)?)?)
 }
 
 /// F along the rims alone, instead of it M; and M in bands alone, instead of it B.

@@ -57,7 +57,7 @@ pub(super) const CENTRE: Vec3 = Vec3::new(0.0, 12.3, 0.0);
 const STRIPES: u32 = 11;
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    Ok(Body::new(&super::smooth(obj, |_| 2)?)?)
+    Ok(Body::new(&super::smooth(obj, &|_| 2)?)?)
 }
 
 fn stripes() -> Vec<Control> {
