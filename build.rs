@@ -1,5 +1,6 @@
-//! Gives page, worker and command line the number of their build: a hash of all sources, so that a
-//! page never takes answers from a worker of another build out of a cache.
+//! Gives page, worker and command line the number of their build, a hash of all sources, so that a
+//! page never takes answers from a worker of another build out of a cache; and joins the shaders to
+//! one text without comments, which nobody is to download.
 
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
@@ -19,6 +20,24 @@ fn main() {
         hash.write(&std::fs::read(&file).expect("a source file can be read"));
     }
     println!("cargo::rustc-env=MOSAIC_BUILD={:016x}", hash.finish());
+    let out = std::env::var_os("OUT_DIR").expect("cargo says where to write");
+    std::fs::write(Path::new(&out).join("shaders.wgsl"), shaders()).expect("a file can be written");
+}
+
+/// The shaders in the order in which they build on each other, without comments and margins.
+fn shaders() -> String {
+    let mut text = String::new();
+    for name in ["scene", "mosaic", "body", "ground"] {
+        let file = format!("src/draw/shaders/{name}.wgsl");
+        for line in std::fs::read_to_string(file).expect("a shader can be read").lines() {
+            let code = line.split("//").next().unwrap_or_default().trim();
+            if !code.is_empty() {
+                text.push_str(code);
+                text.push('\n');
+            }
+        }
+    }
+    text
 }
 
 fn list(path: &Path, files: &mut Vec<PathBuf>) {

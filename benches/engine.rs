@@ -3,48 +3,22 @@
 //! On the body that the figures of the original program were measured on: an icosahedron of radius
 //! 10 cm, subdivided to 5,120 triangles.
 
-#[path = "../tests/model/meshes.rs"]
-#[allow(dead_code)]
-mod meshes;
+#[path = "../src/bin/mosaic/states.rs"]
+mod states;
 
 use clonal_mosaic::mosaic::SiteFinder;
-use clonal_mosaic::surface::Mesh;
-use clonal_mosaic::tissue::{Growth, Progress, Recipe};
+use clonal_mosaic::plants::original::sphere;
+use clonal_mosaic::tissue::{Progress, Recipe};
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use states::{settled, still};
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Duration;
 
 const CELLS: [u32; 3] = [10_000, 100_000, 1_000_000];
 
-fn body() -> Arc<Mesh> {
-    Arc::new(meshes::icosphere(4, 10.0))
-}
-
-/// Cells that only move: nobody divides within the days that are looked at.
-fn still(cells: u32, radius_scale: f32) -> Recipe {
-    Recipe {
-        initial_cells: cells,
-        division_days: [500.0; 3],
-        initial_relaxations: 5,
-        relaxations_per_day: 1000,
-        days: 1000,
-        radius_scale,
-        // The step grows with the square of the radius.
-        repulsion: 0.09 / (radius_scale * radius_scale),
-        ..Recipe::default()
-    }
-}
-
-/// A growth whose first day is done.
-fn settled(mesh: &Arc<Mesh>, recipe: Recipe) -> Growth {
-    let mut growth = Growth::new(mesh.clone(), recipe, &[], 1).expect("a sound recipe");
-    while growth.step() == Progress::Event {}
-    growth
-}
-
 fn relax(c: &mut Criterion) {
-    let mesh = body();
+    let mesh = Arc::new(sphere());
     let mut group = c.benchmark_group("relax, one event");
     for radius_scale in [1.0, 2.0] {
         for cells in CELLS {
@@ -58,7 +32,7 @@ fn relax(c: &mut Criterion) {
 }
 
 fn divide(c: &mut Criterion) {
-    let mesh = body();
+    let mesh = Arc::new(sphere());
     let mut group = c.benchmark_group("divide, one day without relaxation");
     for cells in CELLS {
         let recipe = Recipe {
@@ -92,7 +66,7 @@ fn divide(c: &mut Criterion) {
 }
 
 fn site_lists(c: &mut Criterion) {
-    let mesh = body();
+    let mesh = Arc::new(sphere());
     let mut group = c.benchmark_group("site lists, one day");
     for cells in CELLS {
         let recipe =

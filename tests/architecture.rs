@@ -103,7 +103,7 @@ fn the_model_knows_no_clock_file_thread_browser_or_gpu() {
 
 #[test]
 fn files_are_small_rooms() {
-    let long: Vec<String> = ["src", "tests", "benches"]
+    let long: Vec<String> = ["src", "tests", "benches", "examples"]
         .into_iter()
         .flat_map(|folder| files(&root().join(folder)))
         .filter(|path| path.extension().is_some_and(|e| e == "rs" || e == "wgsl"))
@@ -123,7 +123,7 @@ fn nothing_names_the_machine_it_was_written_on() {
     let foreign =
         ["/wo-rk/", "/ro-ot/", "/ho-me/", "/tm-p/", "C:-\\Users"].map(|path| path.replace('-', ""));
     let mut named = Vec::new();
-    let folders = ["src", "tests", "benches", "www", "meshes", ".ci", ".cargo"];
+    let folders = ["src", "tests", "benches", "examples", "docs", "www", "meshes", ".ci", ".cargo"];
     let texts = ["rs", "wgsl", "html", "css", "toml", "md", "json", "webmanifest", "sh", ""];
     let single = ["playground", "README.md", "ARCHITECTURE.md", "Cargo.toml", "Trunk.toml"];
     let of_folders = folders.iter().flat_map(|folder| files(&root().join(folder)));

@@ -129,6 +129,87 @@ fn a_recipe_needs_no_mesh_and_a_preset_may_have_one() {
     assert_eq!(run["days"].as_array().unwrap().len(), 2);
 }
 
+/// The standard output of a sweep, which tells its progress on the standard error.
+fn sweep(arguments: &[&str]) -> String {
+    let output = mosaic(&[&["figures"], arguments].concat());
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{arguments:?}: {told}");
+    assert!(told.lines().all(|line| line.starts_with("mosaic: ")), "{told}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn a_sweep_has_the_means_of_its_individuals() {
+    let table = sweep(&["--figure", "4.12", "--individuals", "2", "--json"]);
+    let table: Value = serde_json::from_str(&table).unwrap();
+    assert_eq!(table["individuals"], 2);
+    let pictures = table["pictures"].as_array().unwrap();
+    let labels: Vec<&str> = pictures.iter().map(|p| p["picture"].as_str().unwrap()).collect();
+    assert_eq!(labels, ["day 23", "day 27", "day 30"]);
+    let of_individual = |n: &str| {
+        json(&["grow", "--preset", "philodendron", "--individual", n, "--json"])["days"].clone()
+    };
+    let days = [of_individual("1"), of_individual("2")];
+    for (picture, day) in pictures.iter().zip([23, 27, 30]) {
+        let number = |value: &Value| value.as_f64().unwrap();
+        let mean =
+            |value: &dyn Fn(&Value) -> f64| days.iter().map(|d| value(&d[day])).sum::<f64>() / 2.0;
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-9, "day {day}: {a} and not {b}");
+        near(number(&picture["cells"]), mean(&|d| number(&d["cells"])));
+        for kind in ["F", "B", "M"] {
+            let share = mean(&|d| number(&d[kind]) / number(&d["cells"]));
+            near(number(&picture["count_shares"][kind]), share);
+        }
+        let areas = ["F", "B", "M"].map(|kind| number(&picture["area_shares"][kind]));
+        assert!((areas.iter().sum::<f64>() - 1.0).abs() < 1e-3 && areas[2] == 0.0, "{areas:?}");
+        let error = number(&picture["standard_error"]);
+        let from_mean = number(&picture["cells"]) - number(&picture["expected_cells"]);
+        assert!(error > 0.0 && from_mean.abs() < 4.4 * error, "{from_mean} and {error}");
+        assert!((0.0..0.5).contains(&number(&picture["mixed_edges"])));
+        assert!(number(&picture["patches"]) > 10.0);
+    }
+}
+
+#[test]
+fn shards_on_any_number_of_threads_merge_to_the_table_of_the_whole() {
+    let what = ["--figure", "4.12", "--individuals", "2"];
+    let whole = sweep(&[&what[..], &["--threads", "1", "--csv"]].concat());
+    assert_eq!(whole.lines().count(), 4, "{whole}");
+    let shards = ["3/3", "1/3", "2/3"].map(|shard| {
+        let rows = sweep(&[&what[..], &["--threads", "2", "--shard", shard]].concat());
+        (shard, rows)
+    });
+    assert!(shards.iter().all(|(_, rows)| rows.lines().count() == 3), "a heading and two rows");
+    let files = shards.each_ref().map(|(shard, rows)| file(&shard.replace('/', "-"), rows));
+    let [third, first, second] = files.each_ref().map(String::as_str);
+    assert_eq!(succeed(&["figures", "--merge", third, first, second, "--csv"]), whole);
+    let all: String = shards.iter().map(|(_, rows)| rows.as_str()).collect();
+    let on_end = file("on-end.csv", &all);
+    assert_eq!(succeed(&["figures", "--csv", "--merge", &on_end]), whole);
+    assert_eq!(succeed(&["figures", "--merge", &on_end]).lines().count(), 8, "a table to read");
+
+    // A row is a link and a fingerprint: it can be grown again.
+    let row: Vec<&str> = shards[1].1.lines().nth(1).unwrap().split(',').collect();
+    let run = json(&["grow", "--link", row[5], "--json"]);
+    assert_eq!(run["days"][23]["fingerprint"], row[6]);
+
+    for (arguments, words) in [
+        (&["--merge", first, third][..], "2 of 6 rows are missing, the first is row 1"),
+        (&["--merge", &on_end, third], "row 2 of 6 comes twice"),
+        (&["--merge", &file("junk.csv", "1,2,3\n")], "junk.csv, line 1: 3 columns"),
+        (&["--merge", &file("bad.csv", &all.replacen("\n0,", "\nx,", 1))], "item is \"x\""),
+        (&["--merge", &file("empty.csv", "")], "no rows"),
+        (&["--merge", &path("missing.csv")], "missing.csv"),
+        (&["--merge", &on_end, "--individuals", "3"], "--merge"),
+        (&["--merge"], "--merge"),
+    ] {
+        let output = mosaic(&[&["figures"], arguments].concat());
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {told}");
+        assert!(told.lines().count() == 1 && told.contains(words), "{arguments:?}: {told}");
+    }
+}
+
 #[test]
 fn the_cap_is_told_and_what_has_grown_is_kept() {
     let recipe = file(
@@ -146,7 +227,9 @@ fn the_cap_is_told_and_what_has_grown_is_kept() {
 
 #[test]
 fn help_and_version_are_there() {
-    for arguments in [&["--help"][..], &["help"], &["grow", "--help"], &["-h"]] {
+    for arguments in
+        [&["--help"][..], &["help"], &["grow", "--help"], &["figures", "--help"], &["-h"]]
+    {
         let help = succeed(arguments);
         for option in [
             "--link",
@@ -157,6 +240,13 @@ fn help_and_version_are_there() {
             "--day",
             "--cells",
             "--json",
+            "--figure",
+            "--individuals",
+            "--threads",
+            "--shard",
+            "--merge",
+            "--csv",
+            "--runs",
         ] {
             assert!(help.contains(option), "{option} is not in the help");
         }
@@ -211,6 +301,18 @@ fn wrong_input_is_refused_on_one_line() {
         (&["grow", "--recipe", &recipe, "--mesh", &no_json], "no.json"),
         (&["grow", "--recipe", &recipe, "--cells", &nowhere], "folder.csv"),
         (&["grow", "--recipe", &recipe, "--cells", folder], folder),
+        (&["figures", "4.3"], "4.3"),
+        (&["figures", "--figure", "9.9"], "there are 4."),
+        (&["figures", "--individuals", "0"], "--individuals is 0"),
+        (&["figures", "--individuals", "many"], "many"),
+        (&["figures", "--threads", "0"], "--threads is 0"),
+        (&["figures", "--shard", "3"], "--shard"),
+        (&["figures", "--shard", "0/4"], "0/4"),
+        (&["figures", "--shard", "5/4"], "5/4"),
+        (&["figures", "--shard", "1/2", "--csv"], "only one"),
+        (&["figures", "--json", "--csv"], "only one"),
+        (&["bench", "--runs", "0"], "--runs is 0"),
+        (&["bench", "fast"], "fast"),
     ] {
         let output = mosaic(arguments);
         let told = String::from_utf8(output.stderr).unwrap();

@@ -9,6 +9,7 @@ use web_sys::{Element, HtmlCanvasElement, HtmlScriptElement};
 /// Loads the bundle for WebGL2 where there is nothing better, else the small one for WebGPU: that
 /// one can show the still picture just as well.
 pub async fn boot() {
+    show_poster();
     let bundle = if !has_webgpu().await && has_webgl2() { "page_gl" } else { "page" };
     load(bundle, || {
         let text = "The playground could not be loaded. Please load the page again.";
@@ -18,6 +19,17 @@ pub async fn boot() {
             set_attribute(&root, "data-state", "error");
         }
     });
+}
+
+/// Shows the still picture of the linked plant: it is there long before the bundle that knows the
+/// plants, which mends what was not understood here.
+fn show_poster() {
+    let fragment = window().location().hash().unwrap_or_default();
+    let name = fragment.trim_start_matches('#').split('?').next().unwrap_or_default();
+    let is_name = !matches!(name, "" | "figures")
+        && name.bytes().all(|b| b.is_ascii_lowercase() || b == b'-');
+    let plant = if is_name { name } else { "croton" };
+    set_attribute(&find::<Element>("poster"), "src", format!("posters/{plant}.avif"));
 }
 
 /// Loads a bundle and starts its page.

@@ -71,7 +71,7 @@ fn on_stage(event: &KeyboardEvent) -> bool {
 /// True if the key means something everywhere.
 fn anywhere(event: &KeyboardEvent) -> bool {
     let command = event.ctrl_key() || event.meta_key();
-    match (event.key().to_lowercase().as_str(), command, event.shift_key()) {
+    match (event.key().to_ascii_lowercase().as_str(), command, event.shift_key()) {
         ("?", false, _) => controls::show_keys(),
         ("z", true, false) => app::send(Event::Undo),
         ("z", true, true) | ("y", true, false) => app::send(Event::Redo),

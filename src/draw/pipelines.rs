@@ -30,13 +30,8 @@ impl Pipelines {
         let shader = device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("draw"),
             source: wgpu::ShaderSource::Wgsl(
-                concat!(
-                    include_str!("shaders/scene.wgsl"),
-                    include_str!("shaders/mosaic.wgsl"),
-                    include_str!("shaders/body.wgsl"),
-                    include_str!("shaders/ground.wgsl"),
-                )
-                .into(),
+                // All of `shaders`, joined by the build script.
+                include_str!(concat!(env!("OUT_DIR"), "/shaders.wgsl")).into(),
             ),
         });
         let scene_layout = layout(

@@ -1,10 +1,12 @@
-//! What is seen: the Voronoi tessellation of the cells on the surface.
+//! What is seen: the Voronoi tessellation of the cells on the surface, and its pattern in numbers.
 
 mod finder;
 mod near;
+mod pattern;
 mod polygons;
 mod sites;
 
 pub use finder::SiteFinder;
+pub use pattern::{Pattern, neighbours};
 pub use polygons::{Piece, polygons};
 pub use sites::{Head, Site, SiteLists, Tag};

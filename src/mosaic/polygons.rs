@@ -13,6 +13,9 @@ pub struct Piece {
     pub cell: u32,
     /// Corners of a convex polygon in the triangle's frame, counter-clockwise, in centimetres.
     pub corners: Vec<Vec2>,
+    /// For each side, from its corner to the next one, the cell on its other side; nobody where the
+    /// triangle ends.
+    pub across: Vec<Option<u32>>,
 }
 
 impl Piece {
@@ -40,7 +43,7 @@ impl HasPosition for Site {
 
 /// How far from a triangle sites are looked for at first, in mean spacings. Doubled until no polygon
 /// can be cut by a site that was not found.
-const FIRST_REACH: f32 = 3.0;
+const FIRST_REACH: f32 = 2.0;
 
 /// The polygons of all cells, triangle by triangle.
 /// Triangles of a part without cells have none.
@@ -105,31 +108,38 @@ fn cut(frame: &Frame, triangle: u32, sites: &[Site]) -> Vec<Piece> {
         .vertices()
         .filter_map(|vertex| {
             let own = vertex.data().point;
-            let mut corners = frame.corners().to_vec();
+            let mut sides = frame.corners().map(|corner| (corner, None)).to_vec();
             for edge in vertex.out_edges() {
-                corners = nearer(&corners, own, edge.to().data().point);
-                if corners.is_empty() {
+                sides = nearer(&sides, own, edge.to().data());
+                if sides.is_empty() {
                     return None;
                 }
             }
-            Some(Piece { triangle, cell: vertex.data().cell, corners })
+            let (corners, across) = sides.into_iter().unzip();
+            Some(Piece { triangle, cell: vertex.data().cell, corners, across })
         })
         .collect()
 }
 
+/// The corner that a side of a polygon leaves, and the cell across that side.
+type Side = (Vec2, Option<u32>);
+
 /// The part of a convex polygon that is nearer to `own` than to `other` (Sutherland-Hodgman).
-fn nearer(corners: &[Vec2], own: Vec2, other: Vec2) -> Vec<Vec2> {
-    let middle = 0.5 * (own + other);
-    let depth = |p: Vec2| (own - other).dot(p - middle);
-    let mut kept = Vec::with_capacity(corners.len() + 1);
-    for (k, &to) in corners.iter().enumerate() {
-        let from = corners[(k + corners.len() - 1) % corners.len()];
+fn nearer(sides: &[Side], own: Vec2, other: &Site) -> Vec<Side> {
+    let middle = 0.5 * (own + other.point);
+    let depth = |p: Vec2| (own - other.point).dot(p - middle);
+    let mut kept = Vec::with_capacity(sides.len() + 1);
+    for (k, &(from, across)) in sides.iter().enumerate() {
+        let to = sides[(k + 1) % sides.len()].0;
         let (before, after) = (depth(from), depth(to));
-        if (before < 0.0) != (after < 0.0) {
-            kept.push(from + (to - from) * (before / (before - after)));
-        }
-        if after >= 0.0 {
-            kept.push(to);
+        let crossing = || from + (to - from) * (before / (before - after));
+        if before >= 0.0 {
+            kept.push((from, across));
+            if after < 0.0 {
+                kept.push((crossing(), Some(other.cell)));
+            }
+        } else if after >= 0.0 {
+            kept.push((crossing(), across));
         }
     }
     kept

@@ -20,6 +20,7 @@ mod croton;
 mod croton_shrub;
 mod long_watermelon;
 mod mushroom;
+pub mod original;
 mod philodendron;
 mod sansevieria;
 mod spikes;

@@ -29,15 +29,48 @@ const fn picture(label: &'static str, link: &'static str) -> Picture {
 /// All figures in the order of their numbers.
 pub const FIGURES: &[Figure] = &[
     Figure {
+        number: "4.1",
+        title: "Gold dust on a croton",
+        caption: "Half of the first cells are yellow, half are green, and both divide at the same \
+                  pace. Their families mingle, and the leaves look dusted with gold.",
+        pictures: &[picture("day 35", "croton-shrub?v=1&s=1&d=35")],
+    },
+    Figure {
+        number: "4.2",
+        title: "Three crotons of one kind",
+        caption: "One recipe and three individuals. Chance alone decides where the first cells \
+                  fall: each has its own flecks, and still they are of one kind.",
+        pictures: &[
+            picture("individual 1", "croton-shrub?v=1&s=1&d=30"),
+            picture("individual 2", "croton-shrub?v=1&s=2&d=30"),
+            picture("individual 3", "croton-shrub?v=1&s=3&d=30"),
+        ],
+    },
+    Figure {
         number: "4.3",
         title: "A croton grows old",
         caption: "One shrub on four days. Yellow cells divide twice as often as green ones, so a \
-                  green plant turns yellow without a single cell changing its colour.",
+                  green plant grows more and more yellow without a single cell changing its \
+                  colour.",
         pictures: &[
             picture("day 5", "croton?v=1&s=1&d=5"),
             picture("day 15", "croton?v=1&s=1&d=15"),
             picture("day 20", "croton?v=1&s=1&d=20"),
             picture("day 30", "croton?v=1&s=1&d=30"),
+        ],
+    },
+    Figure {
+        number: "4.4",
+        title: "Between yellow and green",
+        caption: "From picture to picture fewer first cells are yellow, from nine in ten to one in \
+                  ten. Both colours divide at the same pace, so the last day has the mixture of \
+                  the first.",
+        pictures: &[
+            picture("p_F 0.9", "croton-shrub?v=1&s=1&d=30&pf=0.9"),
+            picture("p_F 0.7", "croton-shrub?v=1&s=1&d=30&pf=0.7"),
+            picture("p_F 0.5", "croton-shrub?v=1&s=1&d=30"),
+            picture("p_F 0.2", "croton-shrub?v=1&s=1&d=30&pf=0.2"),
+            picture("p_F 0.1", "croton-shrub?v=1&s=1&d=30&pf=0.1"),
         ],
     },
     Figure {
@@ -85,14 +118,40 @@ pub const FIGURES: &[Figure] = &[
         ],
     },
     Figure {
+        number: "4.13",
+        title: "A cactus with belts",
+        caption: "A control image lets first cells be yellow in belts round the columns. Yellow \
+                  cells cling together closely, and the belts stay whole.",
+        pictures: &[picture("day 25", "banded-cactus?v=1&s=1&d=25")],
+    },
+    Figure {
+        number: "4.14",
+        title: "A ragged fly agaric",
+        caption: "Red cells divide six times as often as white ones. What the control image left \
+                  of the white veil is squeezed into ragged warts.",
+        pictures: &[picture("day 30", "amanita?v=1&s=1&d=30")],
+    },
+    Figure {
         number: "4.15",
         title: "Three fly agarics",
         caption: "Only the pace of the red cells differs. When they divide every 6 days they crowd \
-                  the white warts, at 8 days both keep pace, and at 20 days white takes over.",
+                  the white warts, at 8 days both keep pace, and at 20 days white spreads.",
         pictures: &[
             picture("D_F 6 days", "mushroom?v=1&s=1&d=20&df=6"),
             picture("D_F 8 days", "mushroom?v=1&s=1&d=20"),
             picture("D_F 20 days", "mushroom?v=1&s=1&d=20&df=20"),
+        ],
+    },
+    Figure {
+        number: "4.16",
+        title: "Stripes that widen",
+        caption: "From picture to picture cells feel each other farther off: once, twice and three \
+                  times their spacing. The farther, the more room the crowded dark cells win, and \
+                  the stripes widen.",
+        pictures: &[
+            picture("radius_scale 1", "long-watermelon?v=1&s=1&d=20"),
+            picture("radius_scale 2", "long-watermelon?v=1&s=1&d=20&rs=2"),
+            picture("radius_scale 3", "long-watermelon?v=1&s=1&d=20&rs=3"),
         ],
     },
     Figure {
@@ -101,6 +160,20 @@ pub const FIGURES: &[Figure] = &[
         caption: "A striped control image tells which first cells may be dark green. Light ones \
                   among them make the flecks, and divisions fray the borders of the stripes.",
         pictures: &[picture("day 20", "watermelon?v=1&s=1&d=20")],
+    },
+    Figure {
+        number: "4.18",
+        title: "A square watermelon",
+        caption: "The recipe of the round fruit on another body: the stripes run from the stem \
+                  over the edges of the cube and down its sides.",
+        pictures: &[picture("day 20", "square-watermelon?v=1&s=1&d=20")],
+    },
+    Figure {
+        number: "4.19",
+        title: "A snake plant",
+        caption: "Yellow cells begin at the rims alone and divide often; they press on the banded \
+                  middle, whose cells hardly divide, and the margins widen.",
+        pictures: &[picture("day 15", "sansevieria?v=1&s=1&d=15")],
     },
 ];
 
@@ -181,6 +254,8 @@ mod tests {
 
     #[test]
     fn the_parameters_are_those_of_table_4_1() {
+        let numbers: Vec<&str> = FIGURES.iter().map(|figure| figure.number).collect();
+        assert_eq!(numbers, TABLE_4_1.iter().map(|row| row.0).collect::<Vec<_>>());
         for figure in FIGURES {
             let row = TABLE_4_1.iter().find(|row| row.0 == figure.number).expect(figure.number);
             let &(_, days, radius_scales, cells, [ff, bb], days_f, days_b) = row;
@@ -200,6 +275,7 @@ mod tests {
             let scenes: Vec<Scene> = find(number).unwrap().pictures.iter().map(scene).collect();
             values(&scenes, |s| s.recipe.initial_probability[0])
         };
+        assert_eq!(chances("4.4"), [0.9, 0.7, 0.5, 0.2, 0.1]);
         assert_eq!(chances("4.8"), [0.001, 0.002, 0.003]);
     }
 

@@ -11,6 +11,7 @@ mod obj;
 mod outline;
 mod patches;
 mod refine;
+mod sphere;
 mod walk;
 
 pub use body::{Body, Ornament, SurfaceError};
@@ -22,4 +23,5 @@ pub use mesh::{Frame, Mesh, NO_TWIN, Place};
 pub use obj::{Face, Group, ObjError, PolygonMesh};
 pub use outline::Outline;
 pub use patches::{Patch, Patches};
+pub use sphere::icosphere;
 pub use walk::{Step, walk};

@@ -1,19 +1,65 @@
-//! Exact mean populations, to test the growth against.
+//! Exact means and variances of populations, to test the growth against.
 
-/// Mean number of descendants, itself included, of one cell of age 0 when the divisions up to each
-/// day `0..=days` are done, for Poisson clocks of mean `division_days` and no mutation:
-/// `m(t) = [1 - sum_{k<=t} q_k + 2 sum_{1<=k<=t} q_k m(t-k)] / (1 - 2 q_0)`. A run of `d` days ends
-/// with `m(d - 1)` times its first cells in the mean.
-pub fn mean_descendants(division_days: f64, days: usize) -> Vec<f64> {
+use super::{CellType, Clock, Control, Recipe, Use};
+
+/// How many cells there are in the mean over all individuals, and how far they vary.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Expected {
+    pub mean: f64,
+    pub variance: f64,
+}
+
+/// The cells of a day of a growth that began with so many of each type, by `CellType`. Nothing where
+/// no exact expectation is known here: with children of other types than their parents', with
+/// clocks that are not Poisson, or under a control image that scales their days.
+///
+/// The recipe must be sound, and its `max_cells` not reached.
+pub fn expected_cells(
+    recipe: &Recipe,
+    controls: &[Control],
+    first_cells: [u32; 3],
+    day: usize,
+) -> Option<Expected> {
+    let mutates = CellType::ALL.iter().any(|&t| recipe.mutation[t as usize][t as usize] != 1.0);
+    let scales = controls.iter().any(|c| matches!(c.use_as, Use::DivisionDays { .. }));
+    if mutates || scales || recipe.clock != Clock::Poisson {
+        return None;
+    }
+    let mut all = Expected::default();
+    for (first, division_days) in first_cells.into_iter().zip(recipe.division_days) {
+        let clan = match day {
+            0 => Expected { mean: 1.0, variance: 0.0 },
+            _ => clans(division_days, day - 1)[day - 1],
+        };
+        all.mean += f64::from(first) * clan.mean;
+        all.variance += f64::from(first) * clan.variance;
+    }
+    Some(all)
+}
+
+/// The clan of a cell of age 0, its descendants and itself, when the divisions up to each day `0..=days` are done, for Poisson
+/// clocks of mean `division_days`, over ln 2, and no mutation. A run of `d` days ends with the clans
+/// of day `d - 1`, one for each first cell and independent of each other.
+///
+/// With `q_k` the chance that the first division is on day k, and `m` and `s` the means of the
+/// clan's size and of its square:
+/// `m(t) = [1 - sum_{k<=t} q_k + 2 sum_{1<=k<=t} q_k m(t-k)] / (1 - 2 q_0)`, and, since mother and
+/// child go on independently,
+/// `s(t) = [1 - sum_{k<=t} q_k + 2 sum_{k<=t} q_k m(t-k)^2 + 2 sum_{1<=k<=t} q_k s(t-k)] / (1 - 2 q_0)`.
+pub fn clans(division_days: f64, days: usize) -> Vec<Expected> {
     let mut q = vec![libm::exp(-division_days)];
     for k in 1..=days {
         q.push(q[k - 1] * division_days / k as f64);
     }
-    let mut m: Vec<f64> = Vec::with_capacity(days + 1);
+    let (mut means, mut squares): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
     for t in 0..=days {
         let waiting = 1.0 - q[..=t].iter().sum::<f64>();
-        let divided: f64 = (1..=t).map(|k| q[k] * m[t - k]).sum();
-        m.push((waiting + 2.0 * divided) / (1.0 - 2.0 * q[0]));
+        let divided: f64 = (1..=t).map(|k| q[k] * means[t - k]).sum();
+        means.push((waiting + 2.0 * divided) / (1.0 - 2.0 * q[0]));
+        let together: f64 = (0..=t).map(|k| q[k] * means[t - k] * means[t - k]).sum();
+        let divided: f64 = (1..=t).map(|k| q[k] * squares[t - k]).sum();
+        squares.push((waiting + 2.0 * together + 2.0 * divided) / (1.0 - 2.0 * q[0]));
     }
-    m
+    let clan = |(&mean, &square): (&f64, &f64)| Expected { mean, variance: square - mean * mean };
+    means.iter().zip(&squares).map(clan).collect()
 }

@@ -19,7 +19,7 @@ mod relax;
 pub(crate) use bins::{Bins, Rim};
 pub use control::{Control, Use};
 pub use diary::{Day, DayCount, Diary, Lineage};
-pub use expectation::mean_descendants;
+pub use expectation::{Expected, clans, expected_cells};
 pub use growth::{Growth, Progress};
 pub(crate) use lanes::{LANES, lanes, lanes_mut};
 pub use recipe::{CellType, Clock, Recipe, RecipeError};

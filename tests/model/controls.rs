@@ -4,9 +4,7 @@ use crate::meshes::{flat, icosphere, sheet};
 use crate::without_relaxation;
 use clonal_mosaic::surface::{Body, ControlImage, Cylinder, Mesh, Ornament, Wrap};
 use clonal_mosaic::tissue::CellType::{self, Background, Foreground, Middle};
-use clonal_mosaic::tissue::{
-    Clock, Control, Diary, Growth, Progress, Recipe, Use, mean_descendants,
-};
+use clonal_mosaic::tissue::{Clock, Control, Diary, Growth, Progress, Recipe, Use, clans};
 use glam::{Vec2, Vec3};
 use std::sync::Arc;
 
@@ -80,9 +78,9 @@ fn days_between_divisions_are_scaled_where_the_cell_is() {
     let scaled = Use::DivisionDays { of: Foreground, black: 2.0, white: 0.75 };
     let control = Control { wrap, image, use_as: scaled };
     let diary = grow(&mesh, &recipe, &[control]);
-    let mut clans = vec![0.0; 60_000];
+    let mut clan_sizes = vec![0.0; 60_000];
     for cell in &diary.lineage {
-        clans[cell.founder as usize] += 1.0;
+        clan_sizes[cell.founder as usize] += 1.0;
     }
     // Between the centres of the two pixels the factor goes from one to the other.
     let ends = |y: f32| if y < -5.5 { Some(2.0) } else { (y > 5.5).then_some(0.75) };
@@ -95,11 +93,11 @@ fn days_between_divisions_are_scaled_where_the_cell_is() {
         let founders = diary.days[0].places.iter().enumerate().filter(|(cell, place)| {
             diary.lineage[*cell].kind == kind && ends(mesh.point(**place).y) == Some(end)
         });
-        let sizes: Vec<f64> = founders.map(|(cell, _)| clans[cell]).collect();
+        let sizes: Vec<f64> = founders.map(|(cell, _)| clan_sizes[cell]).collect();
         let n = sizes.len() as f64;
         let mean = sizes.iter().sum::<f64>() / n;
         let variance = sizes.iter().map(|s| (s - mean).powi(2)).sum::<f64>() / n;
-        let expected = mean_descendants(days, DAYS)[DAYS - 1];
+        let expected = clans(days, DAYS)[DAYS - 1].mean;
         let error = (variance / n).sqrt();
         assert!(n > 5_000.0);
         assert!((mean - expected).abs() < 4.417 * error, "{kind:?}, {end}: {mean} not {expected}");

@@ -2,12 +2,14 @@
 //! and a walk written down a second time in the plainest way.
 
 mod controls;
+mod expectation;
 mod field;
 mod forces;
 mod growth;
 mod meshes;
 mod mosaic;
 mod original;
+mod pattern;
 mod population;
 mod recipes;
 mod walking;

@@ -1,51 +1,9 @@
 //! Bodies whose geometry is known exactly.
 
+pub use clonal_mosaic::surface::icosphere;
 use clonal_mosaic::surface::{Mesh, NO_TWIN, Place};
 use glam::{Vec2, Vec3};
 use std::collections::HashMap;
-
-/// A sphere: an icosahedron whose triangles are cut in four `levels` times. Level 4 has 5,120.
-pub fn icosphere(levels: u32, radius: f32) -> Mesh {
-    let golden = (1.0 + 5f32.sqrt()) / 2.0;
-    let mut positions = Vec::new();
-    for (a, b) in [(-1.0, golden), (1.0, golden), (-1.0, -golden), (1.0, -golden)] {
-        positions.extend([Vec3::new(a, b, 0.0), Vec3::new(0.0, a, b), Vec3::new(b, 0.0, a)]);
-    }
-    // All triples of vertices that are an edge apart, turned so that they look outwards.
-    let near = |a: usize, b: usize| (positions[a].distance(positions[b]) - 2.0f32).abs() < 1e-3;
-    let mut triangles = Vec::new();
-    for a in 0..12 {
-        for b in a + 1..12 {
-            for c in b + 1..12 {
-                if near(a, b) && near(b, c) && near(c, a) {
-                    let normal = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
-                    let outwards = normal.dot(positions[a]) > 0.0;
-                    let [a, b, c] = [a as u32, b as u32, c as u32];
-                    triangles.push(if outwards { [a, b, c] } else { [a, c, b] });
-                }
-            }
-        }
-    }
-    for _ in 0..levels {
-        let mut middles = HashMap::new();
-        let mut middle = |a: u32, b: u32| {
-            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
-                positions.push((positions[a as usize] + positions[b as usize]) * 0.5);
-                positions.len() as u32 - 1
-            })
-        };
-        triangles = triangles
-            .iter()
-            .flat_map(|&[a, b, c]| {
-                let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
-                [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-            })
-            .collect();
-        positions = positions.into_iter().map(|p| p.normalize()).collect();
-    }
-    let positions = positions.into_iter().map(|p| p.normalize() * radius).collect();
-    Mesh::new(positions, Vec::new(), triangles).unwrap()
-}
 
 /// A flat square of `n` by `n` cells of two triangles each, from (0, 0) to (side, side), seen from
 /// above; `bend` puts its vertices somewhere else.

@@ -1,6 +1,6 @@
 //! What is grown: a body, a recipe and an individual, from the plant, link or files that were named.
 
-use super::options::{FIRST_PLANT, Options, Source};
+use super::options::{FIRST_PLANT, GrowOptions, Source};
 use super::{Refusal, cannot};
 use clonal_mosaic::plants::{self, Plant};
 use clonal_mosaic::play::{FIRST_INDIVIDUAL, link};
@@ -41,7 +41,7 @@ struct Wish {
 }
 
 /// Gathers what the options name.
-pub fn load(options: &Options) -> Result<Subject, Refusal> {
+pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
     let Wish { plant, mut recipe, individual, day } = match &options.source {
         Source::Preset(name) => of_plant(plant(name)?),
         Source::Link(text) => of_link(text)?,

@@ -1,0 +1,84 @@
+//! `mosaic bench`: how fast the engine is on this machine, in one thread, beside the original program.
+
+use super::states::{settled, still};
+use super::{Refusal, say};
+use clonal_mosaic::plants::original::{RUNS, Run, sphere};
+use clonal_mosaic::surface::Mesh;
+use clonal_mosaic::tissue::{Growth, Progress};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+const CELLS: [u32; 3] = [10_000, 100_000, 1_000_000];
+const RADIUS_SCALES: [f32; 2] = [1.0, 4.0];
+
+/// Cells that are moved in one timed stretch: enough for the clock to tell.
+const CELLS_TIMED: u32 = 1_000_000;
+
+/// Prints the best of so many runs of everything.
+pub fn bench(runs: u32) -> Result<(), Refusal> {
+    let mesh = Arc::new(sphere());
+    say(&format!(
+        "{}\nOne thread, wall-clock time, best of {runs}; a sphere of {} triangles.\n\n\
+         {:10}{:>6}{:>10}{:>9}{:>14}{:>8}\n",
+        machine(),
+        mesh.triangles.len(),
+        "",
+        "row",
+        "cells",
+        "here",
+        "the original",
+        "faster"
+    ))?;
+    for run in &RUNS {
+        let grown: Vec<(Duration, usize)> = (0..runs).map(|_| grow(&mesh, run)).collect();
+        let (time, cells) = *grown.iter().min().expect("at least one run");
+        let seconds = time.as_secs_f64();
+        say(&format!(
+            "{:10}{:>6}{cells:>10}{seconds:>7.3} s{:>12.1} s{:>7.0}x\n",
+            run.key,
+            run.figure,
+            run.seconds,
+            run.seconds / seconds
+        ))?;
+    }
+    say("\nOne cell in one relaxation event:\n")?;
+    for radius_scale in RADIUS_SCALES {
+        for cells in CELLS {
+            let mut growth = settled(&mesh, still(cells, radius_scale));
+            let time = (0..runs).map(|_| event(&mut growth, cells)).min().expect("at least one");
+            let ns = time.as_secs_f64() * 1e9 / f64::from(cells);
+            say(&format!("radius_scale {radius_scale}, {cells:>9} cells {ns:>7.0} ns\n"))?;
+        }
+    }
+    Ok(())
+}
+
+/// Grows all days of a run of the original; how long it takes, and how many cells there are then.
+fn grow(mesh: &Arc<Mesh>, run: &Run) -> (Duration, usize) {
+    let started = Instant::now();
+    let mut growth =
+        Growth::new(mesh.clone(), run.recipe.clone(), &[], 1).expect("the original's recipes");
+    while growth.step() != Progress::Done {}
+    (started.elapsed(), growth.diary.lineage.len())
+}
+
+/// The mean time of an event, of as many as it takes to move `CELLS_TIMED` cells.
+fn event(growth: &mut Growth, cells: u32) -> Duration {
+    let events = (CELLS_TIMED / cells).max(1);
+    let started = Instant::now();
+    for _ in 0..events {
+        growth.step();
+    }
+    started.elapsed() / events
+}
+
+/// The processor by its name, where the system tells it, and how many of its cores there are.
+fn machine() -> String {
+    let told = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = told
+        .lines()
+        .find_map(|line| line.strip_prefix("model name")?.split_once(": "))
+        .map_or("a processor without a name", |(_, name)| name);
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    format!("{name}, {cores} cores, {} {}", std::env::consts::OS, std::env::consts::ARCH)
+}

@@ -1,0 +1,66 @@
+//! `mosaic grow`: grows a plant and tells each of its days.
+
+use super::options::GrowOptions;
+use super::report::{DayLine, Report};
+use super::{Refusal, cannot, say, subject};
+use clonal_mosaic::export::write_cells;
+use clonal_mosaic::tissue::{Growth, Progress};
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::time::{Duration, Instant};
+
+pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
+    let subject = subject::load(options)?;
+    // Opened first: nobody should wait for a plant that cannot be written down.
+    let mut table = match &options.cells {
+        Some(path) => Some((path, File::create(path).map_err(|e| cannot("write", path, &e))?)),
+        None => None,
+    };
+
+    let started = Instant::now();
+    let max_cells = subject.recipe.max_cells;
+    let mut growth = subject.sow()?;
+    let mut growing = started.elapsed();
+    let mut report = Report::new(subject.plant.map(|plant| plant.key), subject.individual);
+    loop {
+        let (progress, time) = next_day(&mut growth);
+        growing += time;
+        match progress {
+            Progress::Day(day) => {
+                let line = DayLine::of(&growth.diary, day);
+                if !options.json {
+                    say(&line.to_string())?;
+                }
+                report.days.push(line);
+            }
+            Progress::Full => {
+                eprintln!(
+                    "mosaic: growth ends early, at the recipe's max_cells of {max_cells}; what \
+                     has grown is kept"
+                );
+                break;
+            }
+            Progress::Event | Progress::Done => break,
+        }
+    }
+    report.seconds = growing.as_secs_f64();
+
+    if let Some((path, file)) = &mut table {
+        let mut out = BufWriter::new(file);
+        write_cells(&subject.mesh, &growth.diary, growth.diary.days.len() - 1, &mut out)
+            .and_then(|()| out.flush())
+            .map_err(|e| cannot("write", path, &e))?;
+    }
+    if options.json { say(&report.to_json()) } else { say(&report.summary()) }
+}
+
+/// Steps until a day is done or growth has ended, and how long that took.
+fn next_day(growth: &mut Growth) -> (Progress, Duration) {
+    let started = Instant::now();
+    loop {
+        let progress = growth.step();
+        if progress != Progress::Event {
+            return (progress, started.elapsed());
+        }
+    }
+}

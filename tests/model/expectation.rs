@@ -1,0 +1,120 @@
+//! The exact means and variances of populations without mutation: against values worked out by hand,
+//! against many clans, and for every plant.
+
+use crate::meshes::icosphere;
+use crate::population::RARE_Z;
+use crate::{grow, without_relaxation};
+use clonal_mosaic::plants;
+use clonal_mosaic::tissue::{
+    CellType, Clock, Control, Growth, Progress, Recipe, Use, clans, expected_cells,
+};
+use std::sync::Arc;
+
+#[test]
+fn expectation_has_the_values_worked_out_by_hand() {
+    for (division_days, day, mean) in
+        [(10.0, 34, 8.916), (5.0, 29, 63.45), (5.0, 19, 14.27), (3.0, 24, 513.7)]
+    {
+        let found = clans(division_days, day)[day].mean;
+        assert!((found / mean - 1.0).abs() < 2e-4, "D = {division_days}: {found} and not {mean}");
+    }
+}
+
+#[test]
+fn clans_vary_as_expected() {
+    let founders = 100_000u32;
+    for (division_days, days) in [(1.5, 4), (3.0, 8), (10.0, 20)] {
+        let recipe = Recipe {
+            initial_cells: founders,
+            division_days: [division_days; 3],
+            days,
+            ..without_relaxation()
+        };
+        let mut sizes = vec![0.0; founders as usize];
+        for cell in &grow(&Arc::new(icosphere(1, 10.0)), &recipe, 8).lineage {
+            sizes[cell.founder as usize] += 1.0;
+        }
+        let expected = clans(division_days, days as usize)[days as usize - 1];
+        let n = f64::from(founders);
+        let squares: Vec<f64> = sizes.iter().map(|s: &f64| (s - expected.mean).powi(2)).collect();
+        let variance = squares.iter().sum::<f64>() / n;
+        let spread = squares.iter().map(|s| (s - variance).powi(2)).sum::<f64>() / n;
+        let error = (spread / n).sqrt();
+        assert!(
+            (variance - expected.variance).abs() <= RARE_Z * error,
+            "D = {division_days}: {variance} ± {error} and not {}",
+            expected.variance
+        );
+    }
+}
+
+/// Under control images, given the first cells that they left of each type: what the table of
+/// `mosaic figures` compares with. The sum of some 400 clans or more is nearly normal: one such
+/// comparison fails by chance at most once in 10,000 times.
+#[test]
+fn plants_have_the_cells_expected_of_the_first_cells_that_were_drawn() {
+    for plant in plants::all() {
+        let mesh = Arc::new(plant.embedded_body().surface);
+        let controls = (plant.controls)();
+        let recipe = Recipe {
+            initial_relaxations: 0,
+            relaxations_per_day: 0,
+            max_cells: u32::MAX,
+            ..plant.recipe.clone()
+        };
+        let day = recipe.days as usize;
+        let rarest =
+            recipe.initial_probability.iter().filter(|&&p| p > 0.0).fold(1.0, |a, &b| b.min(a));
+        let individuals = 600.0 / (rarest * f64::from(recipe.initial_cells));
+        let mut first_cells = Vec::new();
+        let mut found = [0.0; 3];
+        for individual in 1..=individuals.clamp(3.0, 40.0) as u32 {
+            let mut growth =
+                Growth::new(mesh.clone(), recipe.clone(), &controls, individual).unwrap();
+            while growth.step() != Progress::Done {}
+            first_cells.push(growth.diary.count(0).by_type);
+            let last = growth.diary.count(day).by_type;
+            (0..3).for_each(|kind| found[kind] += f64::from(last[kind]));
+        }
+        for (kind, found) in found.into_iter().enumerate() {
+            let (mut mean, mut variance) = (0.0, 0.0);
+            for first in &first_cells {
+                let alone = std::array::from_fn(|k| if k == kind { first[k] } else { 0 });
+                let expected = expected_cells(&recipe, &controls, alone, day).expect(plant.key);
+                mean += expected.mean;
+                variance += expected.variance;
+            }
+            let error = variance.sqrt();
+            assert!(
+                (found - mean).abs() <= RARE_Z * error,
+                "{}, type {kind}: {found} and not {mean} ± {error}",
+                plant.key
+            );
+        }
+    }
+}
+
+#[test]
+fn nothing_is_expected_where_nothing_exact_is_known() {
+    let expected =
+        |recipe: &Recipe, controls: &[Control]| expected_cells(recipe, controls, [700, 300, 0], 9);
+    let recipe = Recipe::default();
+    let plain = expected(&recipe, &[]).unwrap();
+    let clan = clans(10.0, 8)[8];
+    assert!((plain.mean - 1000.0 * clan.mean).abs() < 1e-9 * plain.mean);
+    assert!((plain.variance - 1000.0 * clan.variance).abs() < 1e-9 * plain.variance);
+    assert_eq!(expected_cells(&recipe, &[], [700, 300, 0], 0).unwrap().mean, 1000.0);
+    assert_eq!(expected_cells(&recipe, &[], [700, 300, 0], 0).unwrap().variance, 0.0);
+
+    let mutating =
+        Recipe { mutation: [[0.9, 0.1, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], ..recipe.clone() };
+    assert_eq!(expected(&mutating, &[]), None);
+    assert_eq!(expected(&Recipe { clock: Clock::Exponential, ..recipe.clone() }, &[]), None);
+    let [control] = &(plants::find("croton").unwrap().controls)()[..] else { panic!("one image") };
+    assert!(
+        expected(&recipe, std::slice::from_ref(control)).is_some(),
+        "first cells are counted after it"
+    );
+    let use_as = Use::DivisionDays { of: CellType::Background, black: 1.0, white: 2.0 };
+    assert_eq!(expected(&recipe, &[Control { use_as, ..control.clone() }]), None);
+}
