@@ -124,12 +124,14 @@ struct Seen {
 #[derive(Default, Debug)]
 struct Builder {
     portals: Vec<Portal>,
-    /// Waiting portals by (distance, crossings, number).
-    waiting: BinaryHeap<Reverse<(u32, u32, u32)>>,
+    /// Waiting portals by distance, then number, in one word.
+    waiting: BinaryHeap<Reverse<u64>>,
     /// The number of the chart under way.
     chart: u32,
     /// For each triangle the last chart in which it stood, and its images there.
     seen: Vec<Seen>,
+    /// The ends of the portals that lead to one of them.
+    chain: Vec<(Vec2, Vec2)>,
 }
 
 impl Builder {
@@ -142,9 +144,10 @@ impl Builder {
         self.seen.resize(mesh.triangles.len(), Seen::default());
         images.push(image(home, 0.0, corners));
         for k in 0..3 {
-            self.push_edge(3 * home + k as u32, &corners, 0.0, None, 0);
+            self.push_edge(3 * home + k as u32, &corners, 0.0, None);
         }
-        while let Some(Reverse((bits, crossings, number))) = self.waiting.pop() {
+        while let Some(Reverse(waiting)) = self.waiting.pop() {
+            let (distance, number) = (f32::from_bits((waiting >> 32) as u32), waiting as u32);
             let portal = self.portals[number as usize];
             let twin = mesh.twins[portal.half_edge as usize];
             if twin == NO_TWIN {
@@ -158,25 +161,25 @@ impl Builder {
             if triangle == home || seen.count as usize == MAX_COPIES {
                 continue;
             }
-            let unfolded = unfold(mesh, twin as usize, portal.left, portal.right);
             if seen.count > 0 {
+                let known = images[seen.copies[0] as usize].corners();
                 let frame = &mesh.frames[triangle as usize];
-                let known = &images[seen.copies[0] as usize];
-                if same_image(known, &unfolded, frame) || !self.sees_through(number) {
+                let near = SAME * frame.length.max(frame.apex.y);
+                if same_edge(known, entered, &portal, near) || !self.sees_through(number) {
                     continue;
                 }
             }
+            let unfolded = unfold(mesh, twin as usize, portal.left, portal.right);
             seen.copies[seen.count as usize] = images.len() as u32;
             seen.count += 1;
             self.seen[triangle as usize] = seen;
             // Who comes straight from home comes through the portal: nothing of the image is nearer.
-            images.push(image(triangle, f32::from_bits(bits), unfolded));
+            images.push(image(triangle, distance, unfolded));
             for k in [(entered + 1) % 3, (entered + 2) % 3] {
                 let farther = disc.distance(unfolded[(k + 1) % 3], unfolded[(k + 2) % 3]);
-                let farther = farther.max(f32::from_bits(bits));
+                let farther = farther.max(distance);
                 if farther <= radius {
-                    let half_edge = 3 * triangle + k as u32;
-                    self.push_edge(half_edge, &unfolded, farther, Some(number), crossings + 1);
+                    self.push_edge(3 * triangle + k as u32, &unfolded, farther, Some(number));
                 }
             }
         }
@@ -189,7 +192,6 @@ impl Builder {
         unfolded: &[Vec2; 3],
         distance: f32,
         before: Option<u32>,
-        crossings: u32,
     ) {
         // Seen from inside, the edge's first corner is on the right hand of who walks out.
         let k = half_edge as usize % 3;
@@ -197,13 +199,14 @@ impl Builder {
         let number = self.portals.len() as u32;
         self.portals.push(Portal { half_edge, left, right, before });
         // Distances are not negative, so their bits order as they do.
-        self.waiting.push(Reverse((distance.to_bits(), crossings, number)));
+        self.waiting.push(Reverse(u64::from(distance.to_bits()) << 32 | u64::from(number)));
     }
 
     /// Whether some straight line passes through a portal and all portals before it: such a line
     /// exists if one of those through a left and a right end does.
-    fn sees_through(&self, number: u32) -> bool {
-        let mut chain = Vec::with_capacity(8);
+    fn sees_through(&mut self, number: u32) -> bool {
+        let chain = &mut self.chain;
+        chain.clear();
         let mut next = Some(number);
         while let Some(n) = next {
             let portal = &self.portals[n as usize];
@@ -254,12 +257,12 @@ pub(super) fn unfold(mesh: &Mesh, twin: usize, left: Vec2, right: Vec2) -> [Vec2
 /// they pass from one triangle to the next.
 const SAME: f32 = 0.01;
 
-/// Whether two images of one triangle lie together, as on a nearly flat surface.
-fn same_image(image: &Image, unfolded: &[Vec2; 3], frame: &super::mesh::Frame) -> bool {
-    let near = SAME * frame.length.max(frame.apex.y);
-    distance(image.origin, unfolded[0]) < near
-        && distance(image.origin + image.edge1, unfolded[1]) < near
-        && distance(image.origin + image.edge2, unfolded[2]) < near
+/// Whether the portal through which a triangle is entered lies on the same edge of an image of it
+/// that is there already: then a second one would lie on the first, as on a nearly flat surface.
+fn same_edge(known: [Vec2; 3], entered: usize, portal: &Portal, near: f32) -> bool {
+    // The edge runs the other way seen from this side.
+    known[(entered + 1) % 3].distance_squared(portal.left) < near * near
+        && known[(entered + 2) % 3].distance_squared(portal.right) < near * near
 }
 
 /// The disc around a chart's home, from which distances are taken: never more than from the triangle

@@ -79,10 +79,18 @@ fn stripes_on_a_torus_have_the_numbers_counted_by_hand() {
 
 #[test]
 fn closed_surfaces_have_as_many_pairs_as_euler_says() {
+    // Three polygons meet in every corner: with V cells, E pairs and F corners, V - E + F is 2 on a
+    // sphere and 0 on a torus, and 3 F = 2 E.
     let torus = flat_torus(9, 6.0);
     for individual in 1..=3 {
         let places = &sown(&torus, 500, individual).days[0].places;
         assert_eq!(pairs(&torus, places).len(), 3 * 500);
+    }
+    // From many triangles to a cell to many cells to a triangle.
+    for (levels, cells) in [(4, 800), (3, 2_500), (2, 5_000)] {
+        let sphere = icosphere(levels, 10.0);
+        let places = &sown(&sphere, cells, 1).days[0].places;
+        assert_eq!(pairs(&sphere, places).len() as u32, 3 * cells - 6);
     }
 }
 
