@@ -51,6 +51,7 @@ pub const PLANT: Plant = Plant {
     body: grow_body,
     controls: young_leaves,
     field: |_| None,
+    unfolding_days: &[],
 };
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {

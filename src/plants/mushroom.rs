@@ -55,6 +55,7 @@ pub const PLANT: Plant = Plant {
     body: grow_body,
     controls: warts,
     field: |_| None,
+    unfolding_days: &[],
 };
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {

@@ -1,5 +1,5 @@
 //! Philodendron: a lime blaze along the midrib that spreads to the rim in feathered strokes
-//! (Thesis, Fig. 4.10).
+//! (Thesis, Fig. 4.12).
 
 use super::{BodyError, Look, Plant, View, rough, scatter};
 use crate::surface::{Body, ControlImage, DirectionField, Group, Guide, Mesh, Wrap};
@@ -10,7 +10,7 @@ pub const PLANT: Plant = Plant {
     key: "philodendron",
     name: "Philodendron",
     latin: "Philodendron hederaceum",
-    source: "Thesis, Fig. 4.10",
+    source: "Thesis, Fig. 4.12",
     colour_names: ["lime", "green", ""],
     recipe: Recipe {
         initial_cells: 10_000,
@@ -54,6 +54,7 @@ pub const PLANT: Plant = Plant {
     body: grow_body,
     controls: blaze,
     field: |surface| Some(side_veins(surface)),
+    unfolding_days: &[],
 };
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {

@@ -47,6 +47,7 @@ pub const PLANT: Plant = Plant {
     body: grow_body,
     controls: margins_and_bands,
     field: |_| None,
+    unfolding_days: &[],
 };
 
 /// The leaf coordinates of all leaves lie side by side, as in an atlas, so that each leaf has bands

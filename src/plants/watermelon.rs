@@ -46,6 +46,7 @@ pub const PLANT: Plant = Plant {
     body: grow_body,
     controls: stripes,
     field: |_| None,
+    unfolding_days: &[],
 };
 
 /// Towards the stem end; of unit length.
