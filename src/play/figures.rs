@@ -160,9 +160,9 @@ pub const FIGURES: &[Figure] = &[
                   times their spacing. The farther, the more room the crowded dark cells win, and \
                   the stripes widen.",
         pictures: &[
-            picture("radius_scale 1", "long-watermelon?v=1&s=1&d=20"),
-            picture("radius_scale 2", "long-watermelon?v=1&s=1&d=20&rs=2"),
-            picture("radius_scale 3", "long-watermelon?v=1&s=1&d=20&rs=3"),
+            picture("ω_r 1", "long-watermelon?v=1&s=1&d=20"),
+            picture("ω_r 2", "long-watermelon?v=1&s=1&d=20&rs=2"),
+            picture("ω_r 3", "long-watermelon?v=1&s=1&d=20&rs=3"),
         ],
     },
     Figure {

@@ -14,7 +14,7 @@ pub struct Noise {
 
 /// Waves along the side of a square as large as the surface: blotches come out as wide as the clones
 /// of the thesis' plants.
-const WAVES: f64 = 14.0;
+const WAVES: f64 = 26.0;
 
 /// Waves in a day: neighbouring days look alike, and after a week nothing is left of a blotch. Slower,
 /// and the noise seems to grow; faster, and it flickers.
