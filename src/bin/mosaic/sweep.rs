@@ -96,7 +96,7 @@ pub fn grow(
 impl Subject {
     /// Grows an individual up to the picture's day.
     fn grow(&self, individual: u32) -> Row {
-        let Scene { plant, day, .. } = self.scene;
+        let day = self.scene.day;
         // The cap guards a visitor's memory; here it would cut off the largest individuals.
         let recipe = Recipe { days: day, max_cells: u32::MAX, ..self.scene.recipe.clone() };
         let scene = Scene { individual, recipe: recipe.clone(), ..self.scene.clone() };
