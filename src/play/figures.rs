@@ -116,7 +116,7 @@ pub const FIGURES: &[Figure] = &[
             picture("day 27", "philodendron?v=1&s=1&d=27"),
             picture("day 30", "philodendron?v=1&s=1&d=30"),
             picture("day 32", "philodendron?v=1&s=1&d=32"),
-            picture("leaves of 20 to 32 days", "philodendron-shoot?v=1&s=1&d=32"),
+            picture("one shoot", "philodendron-shoot?v=1&s=1&d=32"),
         ],
     },
     Figure {
