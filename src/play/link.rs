@@ -32,6 +32,9 @@ pub fn write(scene: &Scene) -> String {
             let _ = write!(link, "&{}={value}", parameter.key);
         }
     }
+    if scene.noise {
+        link.push_str("&noise=1");
+    }
     if scene.show != preset.show {
         let _ = write!(link, "&show={}", scene.show.key());
     }
@@ -76,6 +79,7 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
                 "v" => check_version(value),
                 "s" => whole(value).map(|n| scene.individual = n),
                 "d" => whole(value).map(|n| wished_day = Some(n)),
+                "noise" => switch(value).map(|on| scene.noise = on),
                 "show" => read_show(plant, value).map(|show| scene.show = show),
                 "view" => read_orbit(value).map(|orbit| scene.orbit = orbit),
                 _ => read_parameter(&mut scene, key, value),
@@ -134,6 +138,14 @@ fn number(text: &str) -> Result<f64, String> {
     }
 }
 
+fn switch(text: &str) -> Result<bool, String> {
+    match text {
+        "0" => Ok(false),
+        "1" => Ok(true),
+        _ => Err("it must be 0 or 1".to_string()),
+    }
+}
+
 fn whole(text: &str) -> Result<u32, String> {
     text.parse().map_err(|_| format!("it must be a whole number from 0 to {}", u32::MAX))
 }
@@ -187,12 +199,13 @@ mod tests {
 
     #[test]
     fn a_link_holds_what_differs_and_nothing_else() {
-        let link = "leaf?v=1&s=0&d=2&df=6&ff=0.35&view=30,20,1.5";
+        let link = "leaf?v=1&s=0&d=2&df=6&ff=0.35&noise=1&view=30,20,1.5";
         let opened = open(link);
         assert_eq!(opened.left_out, [""; 0]);
         assert_eq!(opened.scene.individual, 0);
         assert_eq!(opened.scene.recipe.division_days[0], 6.0);
         assert_eq!(opened.scene.recipe.adhesion[0][0], 0.35);
+        assert!(opened.scene.noise);
         assert_eq!(write(&opened.scene), link);
     }
 

@@ -31,6 +31,8 @@ pub enum Event {
     },
     /// All parameters back to the preset.
     ResetParameters,
+    /// Perlin noise in the place of the cells' own types, or not.
+    Noise(bool),
     /// Something else is to be seen on the body.
     Show(Show),
     /// A day is wished.
@@ -254,11 +256,11 @@ impl Page {
 
     /// The picture in words: `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
     pub fn description(&self) -> String {
-        let Scene { plant, individual, show, .. } = &self.scene;
-        match &self.shown.day {
-            Some(day) => words::describe(plant, self.shown.individual, day, *show),
-            None => format!("{}, individual {individual}", plant.name),
-        }
+        let Scene { plant, individual, show, .. } = self.scene;
+        let Some(day) = &self.shown.day else {
+            return format!("{}, individual {individual}", plant.name);
+        };
+        words::describe(&self.run.scene, self.shown.individual, day, show)
     }
 
     fn take(&mut self, event: Event, effects: &mut Vec<Effect>) {
@@ -292,12 +294,12 @@ impl Page {
                 }
             }
             Event::ResetParameters => {
-                let wished = self.wished_scene();
-                let preset = Scene::preset(wished.plant, wished.individual);
-                let day = wished.day.min(preset.recipe.days);
-                let Scene { orbit, show, .. } = wished;
+                let Scene { plant, individual, day, orbit, show, .. } = self.wished_scene();
+                let preset = Scene::preset(plant, individual);
+                let day = day.min(preset.recipe.days);
                 self.adopt(Scene { day, orbit, show, ..preset }, effects);
             }
+            Event::Noise(noise) => self.adopt(Scene { noise, ..self.wished_scene() }, effects),
             Event::Show(show) => self.adopt(Scene { show, ..self.wished_scene() }, effects),
             Event::Seek(day) => self.playhead.seek(day.min(last_day), newest),
             Event::StepDays(by) => {

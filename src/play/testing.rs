@@ -43,6 +43,7 @@ const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
         body: sheet,
         controls: None,
         field: None,
+        unfolding_days: &[],
     }
 }
 

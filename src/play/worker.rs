@@ -7,15 +7,19 @@ use super::run::DayFacts;
 use crate::mosaic::SiteFinder;
 use crate::plants::Plant;
 use crate::surface::Mesh;
-use crate::tissue::{Growth, Progress};
+use crate::tissue::{Diary, Growth, Noise, Progress};
 use std::sync::Arc;
+
+/// Grounds that are kept. One holds up to 130 MB of charts.
+const MOST_GROUNDS: usize = 2;
 
 /// Grows one plant at a time.
 pub struct Worker {
     plants: &'static [Plant],
     /// The texts of the mesh files that came, by name.
     meshes: Vec<(String, String)>,
-    /// Grounds by plant, made once and kept: to refine one takes longer than its first days.
+    /// Grounds of the plants grown last, the newest at the end: to make one takes longer than the
+    /// first days of its plant.
     grounds: Vec<Ground>,
     run: Option<Run>,
 }
@@ -30,6 +34,7 @@ struct Ground {
 struct Run {
     generation: u32,
     growth: Growth,
+    noise: Option<Noise>,
     /// Its index in `grounds`.
     ground: usize,
 }
@@ -59,8 +64,8 @@ impl Worker {
         };
         self.run = None;
         match self.sow(&link) {
-            Ok((growth, ground)) => {
-                self.run = Some(Run { generation, growth, ground });
+            Ok((growth, noise, ground)) => {
+                self.run = Some(Run { generation, growth, noise, ground });
                 None
             }
             Err(why) => Some(ToPage::Failed { generation, text: why }),
@@ -75,13 +80,17 @@ impl Worker {
     /// Grows until the slice of time is over or the growth ends. `slice_is_over` is asked after each
     /// relaxation event.
     pub fn work(&mut self, slice_is_over: impl Fn() -> bool, mut post: impl FnMut(ToPage)) {
-        while let Some(Run { generation, growth, ground }) = &mut self.run {
+        while let Some(Run { generation, growth, noise, ground }) = &mut self.run {
             let generation = *generation;
             match growth.step() {
                 Progress::Event => {}
                 Progress::Day(day) => {
                     let ground = &mut self.grounds[*ground];
-                    post(ToPage::Day(ground.news(growth, generation, day)));
+                    let diary = &growth.diary;
+                    let painted =
+                        noise.as_ref().map(|n| n.paint(&ground.surface, diary, day as usize));
+                    let diary = painted.as_ref().unwrap_or(diary);
+                    post(ToPage::Day(ground.news(diary, generation, day)));
                 }
                 Progress::Full => {
                     post(ToPage::Full { generation });
@@ -98,33 +107,36 @@ impl Worker {
         }
     }
 
-    fn sow(&mut self, link: &str) -> Result<(Growth, usize), String> {
+    fn sow(&mut self, link: &str) -> Result<(Growth, Option<Noise>, usize), String> {
         let scene = link::read(link, self.plants).scene;
         let ground = self.ground(scene.plant)?;
         let surface = Arc::clone(&self.grounds[ground].surface);
-        let growth = scene.plant.sow(surface, scene.recipe, scene.individual);
-        let growth = growth.map_err(|why| why.to_string())?;
-        Ok((growth, ground))
+        let (growth, noise) = scene.sow(surface).map_err(|why| why.to_string())?;
+        Ok((growth, noise, ground))
     }
 
     /// The index of a plant's ground.
     fn ground(&mut self, plant: &'static Plant) -> Result<usize, String> {
         if let Some(known) = self.grounds.iter().position(|ground| ground.plant == plant.key) {
-            return Ok(known);
+            let known = self.grounds.remove(known);
+            self.grounds.push(known);
+            return Ok(self.grounds.len() - 1);
         }
         let mesh = self.meshes.iter().find(|(name, _)| name == plant.mesh.name);
         let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.mesh.name))?;
         let body = (plant.body)(text).map_err(|why| format!("{}: {why}", plant.mesh.name))?;
         let surface = Arc::new(body.surface);
         let finder = SiteFinder::new(&surface);
+        if self.grounds.len() == MOST_GROUNDS {
+            self.grounds.remove(0);
+        }
         self.grounds.push(Ground { plant: plant.key, surface, finder });
         Ok(self.grounds.len() - 1)
     }
 }
 
 impl Ground {
-    fn news(&mut self, growth: &Growth, generation: u32, day: u32) -> DayNews {
-        let diary = &growth.diary;
+    fn news(&mut self, diary: &Diary, generation: u32, day: u32) -> DayNews {
         let index = day as usize;
         DayNews {
             generation,

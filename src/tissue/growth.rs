@@ -18,6 +18,8 @@ pub struct Growth {
     recipe: Recipe,
     controls: Vec<Control>,
     course: Option<Course>,
+    /// The day on which each part of the body unfolds; 0 where none is said.
+    unfolding_days: Vec<u32>,
     crowd: Crowd,
     clocks: Clocks,
     /// The cells' places at the beginning of the day under way.
@@ -64,6 +66,7 @@ impl Growth {
             recipe,
             controls: controls.to_vec(),
             course: None,
+            unfolding_days: Vec::new(),
             clocks,
             places,
             events: 0,
@@ -80,6 +83,23 @@ impl Growth {
         let anisotropy = self.recipe.anisotropy;
         self.course = (anisotropy > 0.0).then(|| Course::new(field, anisotropy));
         self
+    }
+
+    /// The parts of the body, in their order, unfold on these days, and those that are not named on
+    /// day 0: leaves of one plant that are of different ages (Thesis, Fig. 4.10). Until then the
+    /// first cells of a part stand still and their clocks do not run; from then on it lives as if it
+    /// were day 0, so that its age is the plant's less that day. (The repulsive radius is that of the
+    /// whole body, as always.)
+    pub fn unfolding(mut self, days: &[u32]) -> Growth {
+        self.unfolding_days = days.to_vec();
+        let first_days: Vec<u32> = self.places.iter().map(|p| self.unfolding_day(p)).collect();
+        self.clocks.delay(&first_days, self.recipe.days);
+        self
+    }
+
+    fn unfolding_day(&self, place: &Place) -> u32 {
+        let part = self.mesh.parts[place.triangle as usize];
+        self.unfolding_days.get(part as usize).copied().unwrap_or(0)
     }
 
     /// Does the next relaxation event; before the first one of a day, its divisions.
@@ -154,7 +174,15 @@ impl Growth {
 
     /// Writes the day down and renews the repulsive radius.
     fn end_day(&mut self) {
-        self.places = self.crowd.places();
+        let day = self.diary.days.len() as u32;
+        let mut places = self.crowd.places();
+        // Parts do not feel each other: what has not unfolded is simply put back.
+        for (place, before) in places.iter_mut().zip(&self.places) {
+            if day > 0 && day <= self.unfolding_day(before) {
+                *place = *before;
+            }
+        }
+        self.places = places;
         self.radius = repulsive_radius(&self.recipe, self.mesh.area, self.places.len());
         self.diary.days.push(Day { places: self.places.clone(), repulsive_radius: self.radius });
         self.events = 0;
