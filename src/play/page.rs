@@ -256,11 +256,11 @@ impl Page {
 
     /// The picture in words: `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
     pub fn description(&self) -> String {
-        let Scene { plant, individual, show, .. } = self.scene;
-        let Some(day) = &self.shown.day else {
-            return format!("{}, individual {individual}", plant.name);
-        };
-        words::describe(&self.run.scene, self.shown.individual, day, show)
+        let (scene, shown) = (&self.scene, &self.shown);
+        match &shown.day {
+            Some(day) => words::describe(&self.run.scene, shown.individual, day, scene.show),
+            None => format!("{}, individual {}", scene.plant.name, scene.individual),
+        }
     }
 
     fn take(&mut self, event: Event, effects: &mut Vec<Effect>) {
@@ -295,9 +295,8 @@ impl Page {
             }
             Event::ResetParameters => {
                 let Scene { plant, individual, day, orbit, show, .. } = self.wished_scene();
-                let preset = Scene::preset(plant, individual);
-                let day = day.min(preset.recipe.days);
-                self.adopt(Scene { day, orbit, show, ..preset }, effects);
+                let preset = Scene { orbit, show, ..Scene::preset(plant, individual) };
+                self.adopt(Scene { day: day.min(preset.recipe.days), ..preset }, effects);
             }
             Event::Noise(noise) => self.adopt(Scene { noise, ..self.wished_scene() }, effects),
             Event::Show(show) => self.adopt(Scene { show, ..self.wished_scene() }, effects),
