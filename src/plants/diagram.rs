@@ -92,11 +92,11 @@ fn hue_of_angle(cosine: f32) -> [u8; 4] {
 
 /// What the images leave of a first F cell, white for F, grey for M, black for B; and the cylinders.
 fn images(mesh: &Mesh, controls: Vec<Control>) -> Diagram {
-    let mut cylinders = Vec::new();
+    let mut lines = Vec::new();
     let mut layers = Vec::new();
     for Control { wrap, image, use_as } in controls {
         if let Wrap::Cylinder(cylinder) = wrap {
-            cylinders.push(cylinder);
+            draw_outline(&cylinder, radius_cm(&cylinder, mesh), &mut lines);
         }
         let [from, to] = match use_as {
             Use::FirstCells { of, instead } => [of, instead].map(|kind| GREYS[kind as usize]),
@@ -104,38 +104,23 @@ fn images(mesh: &Mesh, controls: Vec<Control>) -> Diagram {
         };
         layers.push(Layer { wrap, image, from, to });
     }
-    let mut lines = Vec::new();
-    for (cylinder, radius_cm) in cylinders.iter().zip(radii_cm(&cylinders, mesh)) {
-        draw_outline(cylinder, radius_cm, &mut lines);
-    }
     Diagram { layers, lines, ink: PENCIL, ..Diagram::default() }
 }
 
 /// Of F, B and M.
 const GREYS: [f32; 3] = [1.0, 0.0, 0.5];
 
-/// How far each cylinder must reach to hold what it wraps: all points of the mesh at its heights that
-/// are nearer to its axis than to those of the others.
-fn radii_cm(cylinders: &[Cylinder], mesh: &Mesh) -> Vec<f32> {
-    let mut radii_cm = vec![0.0; cylinders.len()];
+/// How far a cylinder must reach to hold all points of the mesh at its heights.
+fn radius_cm(cylinder: &Cylinder, mesh: &Mesh) -> f32 {
+    let mut radius_cm = 0.0;
     for &point in &mesh.positions {
-        let mut nearest = (f32::INFINITY, 0, 0.0);
-        for (number, cylinder) in cylinders.iter().enumerate() {
-            let from_base = point - cylinder.base;
-            let up_cm = from_base.dot(cylinder.axis);
-            let out_cm = (from_base - cylinder.axis * up_cm).length();
-            if out_cm < nearest.0 {
-                nearest = (out_cm, number, up_cm / cylinder.height);
-            }
-        }
-        let (out_cm, number, height) = nearest;
-        if let Some(radius_cm) = radii_cm.get_mut(number)
-            && (0.0..=1.0).contains(&height)
-        {
-            *radius_cm = out_cm.max(*radius_cm);
+        let from_base = point - cylinder.base;
+        let up_cm = from_base.dot(cylinder.axis);
+        if (0.0..=cylinder.height).contains(&up_cm) {
+            radius_cm = (from_base - cylinder.axis * up_cm).length().max(radius_cm);
         }
     }
-    radii_cm
+    radius_cm
 }
 
 /// Bottom, top and axis of a cylinder, and the line where its images begin and end.
@@ -190,7 +175,7 @@ mod tests {
         let [Control { wrap: Wrap::Cylinder(cylinder), .. }] = plant.controls()[..] else {
             panic!("one cylinder");
         };
-        let [radius_cm] = radii_cm(&[cylinder], &mesh)[..] else { panic!("one radius") };
+        let radius_cm = radius_cm(&cylinder, &mesh);
         let off_axis =
             |p: &Vec3| (*p - cylinder.base).reject_from_normalized(cylinder.axis).length();
         let farthest = mesh.positions.iter().map(off_axis).fold(0.0, f32::max);
@@ -202,15 +187,10 @@ mod tests {
         // Each fly agaric has a cylinder of its own, no wider than its cap.
         let plant = find("amanita").unwrap();
         let mesh = plant.embedded_body().surface;
-        let cylinders: Vec<Cylinder> = plant
-            .controls()
-            .iter()
-            .filter_map(|c| if let Wrap::Cylinder(c) = c.wrap { Some(c) } else { None })
-            .collect();
-        let radii_cm = radii_cm(&cylinders, &mesh);
-        assert!(
-            radii_cm.len() > 1 && radii_cm.iter().all(|r| (2.0..6.5).contains(r)),
-            "{radii_cm:?}"
-        );
+        for control in plant.controls() {
+            let Wrap::Cylinder(cylinder) = control.wrap else { panic!("a cylinder") };
+            let radius_cm = super::radius_cm(&cylinder, &mesh);
+            assert!((2.0..6.5).contains(&radius_cm), "{radius_cm} cm");
+        }
     }
 }
