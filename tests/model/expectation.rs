@@ -6,7 +6,7 @@ use crate::population::RARE_Z;
 use crate::{grow, without_relaxation};
 use clonal_mosaic::plants;
 use clonal_mosaic::tissue::{
-    CellType, Clock, Control, Growth, Progress, Recipe, Use, clans, expected_cells,
+    CellType, Clock, Control, Growth, Progress, Recipe, Scaled, Use, clans, expected_cells,
 };
 use std::sync::Arc;
 
@@ -116,6 +116,7 @@ fn nothing_is_expected_where_nothing_exact_is_known() {
         expected(&recipe, std::slice::from_ref(control)).is_some(),
         "first cells are counted after it"
     );
-    let use_as = Use::DivisionDays { of: CellType::Background, black: 1.0, white: 2.0 };
+    let use_as =
+        Use::Scale { number: Scaled::DivisionDays(CellType::Background), black: 1.0, white: 2.0 };
     assert_eq!(expected(&recipe, &[Control { use_as, ..control.clone() }]), None);
 }
