@@ -12,8 +12,9 @@ use web_sys::{Element, HtmlElement, HtmlInputElement};
 pub struct Panel {
     rows: Vec<Row>,
     reset: HtmlElement,
+    noise: HtmlInputElement,
     plant: Option<&'static str>,
-    _reset: Listener,
+    _listeners: [Listener; 2],
 }
 
 struct Row {
@@ -31,13 +32,21 @@ impl Panel {
         list.set_text_content(None);
         let rows = PARAMETERS.iter().map(|p| Row::new(p, &list)).collect();
         let reset: HtmlElement = find("reset");
-        let listener = on(&reset, "click", |_: web_sys::Event| app::send(Event::ResetParameters));
-        Panel { rows, reset, plant: None, _reset: listener }
+        let noise: HtmlInputElement = find("noise");
+        let switch = noise.clone();
+        let listeners = [
+            on(&reset, "click", |_: web_sys::Event| app::send(Event::ResetParameters)),
+            on(&noise, "change", move |_: web_sys::Event| {
+                app::send(Event::Noise(switch.checked()))
+            }),
+        ];
+        Panel { rows, reset, noise, plant: None, _listeners: listeners }
     }
 
     pub fn show(&mut self, page: &Page) {
         let renamed = self.plant.replace(page.scene().plant.key) != self.plant;
-        let mut changed = false;
+        self.noise.set_checked(page.scene().noise);
+        let mut changed = page.scene().noise;
         for row in &self.rows {
             changed |= row.show(page, renamed);
         }

@@ -32,6 +32,9 @@ pub fn write(scene: &Scene) -> String {
             let _ = write!(link, "&{}={value}", parameter.key);
         }
     }
+    if scene.noise {
+        link.push_str("&noise=1");
+    }
     let orbit = scene.orbit.rounded();
     if orbit != preset.orbit.rounded() {
         let Orbit { azimuth_deg, elevation_deg, zoom, pan } = orbit;
@@ -73,6 +76,7 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
                 "v" => check_version(value),
                 "s" => whole(value).map(|n| scene.individual = n),
                 "d" => whole(value).map(|n| wished_day = Some(n)),
+                "noise" => switch(value).map(|on| scene.noise = on),
                 "view" => read_orbit(value).map(|orbit| scene.orbit = orbit),
                 _ => read_parameter(&mut scene, key, value),
             }
@@ -122,6 +126,14 @@ fn number(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(x) if x.is_finite() => Ok(x),
         _ => Err(format!("“{}” is not a number", shortened(text))),
+    }
+}
+
+fn switch(text: &str) -> Result<bool, String> {
+    match text {
+        "0" => Ok(false),
+        "1" => Ok(true),
+        _ => Err("it must be 0 or 1".to_string()),
     }
 }
 
@@ -178,12 +190,13 @@ mod tests {
 
     #[test]
     fn a_link_holds_what_differs_and_nothing_else() {
-        let link = "leaf?v=1&s=0&d=2&df=6&ff=0.35&view=30,20,1.5";
+        let link = "leaf?v=1&s=0&d=2&df=6&ff=0.35&noise=1&view=30,20,1.5";
         let opened = open(link);
         assert_eq!(opened.left_out, [""; 0]);
         assert_eq!(opened.scene.individual, 0);
         assert_eq!(opened.scene.recipe.division_days[0], 6.0);
         assert_eq!(opened.scene.recipe.adhesion[0][0], 0.35);
+        assert!(opened.scene.noise);
         assert_eq!(write(&opened.scene), link);
     }
 

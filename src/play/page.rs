@@ -31,6 +31,8 @@ pub enum Event {
     },
     /// All parameters back to the preset.
     ResetParameters,
+    /// Perlin noise in the place of the cells' own types, or not.
+    Noise(bool),
     /// A day is wished.
     Seek(u32),
     /// Days on (or back) from the wished one.
@@ -253,7 +255,10 @@ impl Page {
     /// The picture in words: `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
     pub fn description(&self) -> String {
         match &self.shown.day {
-            Some(day) => words::describe(self.scene.plant, self.shown.individual, day),
+            Some(day) => {
+                let noise = if self.run.scene.noise { ", Perlin noise" } else { "" };
+                words::describe(self.scene.plant, self.shown.individual, day) + noise
+            }
             None => format!("{}, individual {}", self.scene.plant.name, self.scene.individual),
         }
     }
@@ -294,6 +299,7 @@ impl Page {
                 let day = wished.day.min(preset.recipe.days);
                 self.adopt(Scene { day, orbit: wished.orbit, ..preset }, effects);
             }
+            Event::Noise(noise) => self.adopt(Scene { noise, ..self.wished_scene() }, effects),
             Event::Seek(day) => self.playhead.seek(day.min(last_day), newest),
             Event::StepDays(by) => {
                 let day = self.playhead.wished_day().saturating_add_signed(by);

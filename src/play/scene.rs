@@ -4,7 +4,9 @@
 use super::camera::Orbit;
 use super::link;
 use crate::plants::{Look, Plant};
-use crate::tissue::Recipe;
+use crate::surface::Mesh;
+use crate::tissue::{Growth, Noise, Recipe, RecipeError};
+use std::sync::Arc;
 
 /// The individual that a visitor meets first.
 pub const FIRST_INDIVIDUAL: u32 = 1;
@@ -19,6 +21,8 @@ pub struct Scene {
     pub day: u32,
     /// The preset of the plant with the visitor's changes.
     pub recipe: Recipe,
+    /// Whether the cells have the types of Perlin noise instead of their own, to compare.
+    pub noise: bool,
     /// The colours of the plant with the visitor's changes.
     pub look: Look,
     pub orbit: Orbit,
@@ -32,9 +36,16 @@ impl Scene {
             individual,
             day: plant.first_day.min(plant.recipe.days),
             recipe: plant.recipe.clone(),
+            noise: false,
             look: plant.look.clone(),
             orbit: Orbit::of(&plant.view),
         }
+    }
+
+    /// Sows the plant on its surface: its growth, and the noise if that is to be seen.
+    pub fn sow(&self, surface: Arc<Mesh>) -> Result<(Growth, Option<Noise>), RecipeError> {
+        let noise = self.noise.then(|| Noise::new(&surface, self.individual));
+        Ok((self.plant.sow(surface, self.recipe.clone(), self.individual)?, noise))
     }
 
     /// Whether two scenes need the same growth (their days and looks may differ).
@@ -42,6 +53,7 @@ impl Scene {
         self.plant.key == other.plant.key
             && self.individual == other.individual
             && self.recipe == other.recipe
+            && self.noise == other.noise
     }
 
     /// Whether two scenes differ at most in how they are looked at.

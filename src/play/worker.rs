@@ -7,7 +7,7 @@ use super::run::DayFacts;
 use crate::mosaic::SiteFinder;
 use crate::plants::Plant;
 use crate::surface::Mesh;
-use crate::tissue::{Growth, Progress};
+use crate::tissue::{Diary, Growth, Noise, Progress};
 use std::sync::Arc;
 
 /// Grows one plant at a time.
@@ -30,6 +30,7 @@ struct Ground {
 struct Run {
     generation: u32,
     growth: Growth,
+    noise: Option<Noise>,
     /// Its index in `grounds`.
     ground: usize,
 }
@@ -59,8 +60,8 @@ impl Worker {
         };
         self.run = None;
         match self.sow(&link) {
-            Ok((growth, ground)) => {
-                self.run = Some(Run { generation, growth, ground });
+            Ok((growth, noise, ground)) => {
+                self.run = Some(Run { generation, growth, noise, ground });
                 None
             }
             Err(why) => Some(ToPage::Failed { generation, text: why }),
@@ -75,13 +76,17 @@ impl Worker {
     /// Grows until the slice of time is over or the growth ends. `slice_is_over` is asked after each
     /// relaxation event.
     pub fn work(&mut self, slice_is_over: impl Fn() -> bool, mut post: impl FnMut(ToPage)) {
-        while let Some(Run { generation, growth, ground }) = &mut self.run {
+        while let Some(Run { generation, growth, noise, ground }) = &mut self.run {
             let generation = *generation;
             match growth.step() {
                 Progress::Event => {}
                 Progress::Day(day) => {
                     let ground = &mut self.grounds[*ground];
-                    post(ToPage::Day(ground.news(growth, generation, day)));
+                    let diary = &growth.diary;
+                    let painted =
+                        noise.as_ref().map(|n| n.paint(&ground.surface, diary, day as usize));
+                    let diary = painted.as_ref().unwrap_or(diary);
+                    post(ToPage::Day(ground.news(diary, generation, day)));
                 }
                 Progress::Full => {
                     post(ToPage::Full { generation });
@@ -98,13 +103,12 @@ impl Worker {
         }
     }
 
-    fn sow(&mut self, link: &str) -> Result<(Growth, usize), String> {
+    fn sow(&mut self, link: &str) -> Result<(Growth, Option<Noise>, usize), String> {
         let scene = link::read(link, self.plants).scene;
         let ground = self.ground(scene.plant)?;
         let surface = Arc::clone(&self.grounds[ground].surface);
-        let growth = scene.plant.sow(surface, scene.recipe, scene.individual);
-        let growth = growth.map_err(|why| why.to_string())?;
-        Ok((growth, ground))
+        let (growth, noise) = scene.sow(surface).map_err(|why| why.to_string())?;
+        Ok((growth, noise, ground))
     }
 
     /// The index of a plant's ground.
@@ -123,8 +127,7 @@ impl Worker {
 }
 
 impl Ground {
-    fn news(&mut self, growth: &Growth, generation: u32, day: u32) -> DayNews {
-        let diary = &growth.diary;
+    fn news(&mut self, diary: &Diary, generation: u32, day: u32) -> DayNews {
         let index = day as usize;
         DayNews {
             generation,

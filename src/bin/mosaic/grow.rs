@@ -2,9 +2,10 @@
 
 use super::options::GrowOptions;
 use super::report::{DayLine, Report};
-use super::{Refusal, cannot, say, subject};
+use super::subject::{self, Subject};
+use super::{Refusal, cannot, say};
 use clonal_mosaic::export::write_cells;
-use clonal_mosaic::tissue::{Growth, Progress};
+use clonal_mosaic::tissue::{Diary, Growth, Progress};
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::time::{Duration, Instant};
@@ -27,7 +28,8 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
         growing += time;
         match progress {
             Progress::Day(day) => {
-                let line = DayLine::of(&growth.diary, day);
+                let painted = paint(&subject, &growth.diary, day as usize);
+                let line = DayLine::of(painted.as_ref().unwrap_or(&growth.diary), day);
                 if !options.json {
                     say(&line.to_string())?;
                 }
@@ -47,11 +49,18 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
 
     if let Some((path, file)) = &mut table {
         let mut out = BufWriter::new(file);
-        write_cells(&subject.mesh, &growth.diary, growth.diary.days.len() - 1, &mut out)
+        let last = growth.diary.days.len() - 1;
+        let painted = paint(&subject, &growth.diary, last);
+        write_cells(&subject.mesh, painted.as_ref().unwrap_or(&growth.diary), last, &mut out)
             .and_then(|()| out.flush())
             .map_err(|e| cannot("write", path, &e))?;
     }
     if options.json { say(&report.to_json()) } else { say(&report.summary()) }
+}
+
+/// A day in the types of the subject's noise, if it has one.
+fn paint(subject: &Subject, diary: &Diary, day: usize) -> Option<Diary> {
+    subject.noise.as_ref().map(|noise| noise.paint(&subject.mesh, diary, day))
 }
 
 /// Steps until a day is done or growth has ended, and how long that took.

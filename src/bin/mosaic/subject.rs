@@ -5,7 +5,7 @@ use super::{Refusal, cannot};
 use clonal_mosaic::plants::{self, Plant};
 use clonal_mosaic::play::{FIRST_INDIVIDUAL, link};
 use clonal_mosaic::surface::{Body, Mesh, PolygonMesh};
-use clonal_mosaic::tissue::{Growth, Recipe};
+use clonal_mosaic::tissue::{Growth, Noise, Recipe};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -19,6 +19,8 @@ pub struct Subject {
     /// Its `days` are the days to grow.
     pub recipe: Recipe,
     pub individual: u32,
+    /// What the cells show instead of their own types.
+    pub noise: Option<Noise>,
 }
 
 impl Subject {
@@ -38,11 +40,12 @@ struct Wish {
     recipe: Recipe,
     individual: u32,
     day: u32,
+    noise: bool,
 }
 
 /// Gathers what the options name.
 pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
-    let Wish { plant, mut recipe, individual, day } = match &options.source {
+    let Wish { plant, mut recipe, individual, day, noise } = match &options.source {
         Source::Preset(name) => of_plant(plant(name)?),
         Source::Link(text) => of_link(text)?,
         Source::Recipe(path) => of_recipe(path, options.mesh.is_none())?,
@@ -57,19 +60,21 @@ pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
         (Some(path), _) => read_mesh(path)?,
         (None, None) => unreachable!("a recipe without a mesh has the first plant's body"),
     };
+    let individual = options.individual.unwrap_or(individual);
     Ok(Subject {
         plant,
+        noise: noise.then(|| Noise::new(&mesh, individual)),
         mesh: Arc::new(mesh),
         on_own_body: options.mesh.is_none(),
         recipe,
-        individual: options.individual.unwrap_or(individual),
+        individual,
     })
 }
 
 fn of_plant(plant: &'static Plant) -> Wish {
     let recipe = plant.recipe.clone();
     let day = recipe.days;
-    Wish { plant: Some(plant), recipe, individual: FIRST_INDIVIDUAL, day }
+    Wish { plant: Some(plant), recipe, individual: FIRST_INDIVIDUAL, day, noise: false }
 }
 
 /// A whole address is taken for the part after its `#`. The page loads what it can of a bad link; a
@@ -86,6 +91,7 @@ fn of_link(text: &str) -> Result<Wish, Refusal> {
         recipe: scene.recipe,
         individual: scene.individual,
         day: scene.day,
+        noise: scene.noise,
     })
 }
 
@@ -93,7 +99,7 @@ fn of_recipe(path: &Path, on_first_plant: bool) -> Result<Wish, Refusal> {
     let recipe = Recipe::from_json(&read(path)?).map_err(|e| of_file(path, &e))?;
     let plant = if on_first_plant { Some(plant(FIRST_PLANT)?) } else { None };
     let day = recipe.days;
-    Ok(Wish { plant, recipe, individual: FIRST_INDIVIDUAL, day })
+    Ok(Wish { plant, recipe, individual: FIRST_INDIVIDUAL, day, noise: false })
 }
 
 fn plant(name: &str) -> Result<&'static Plant, Refusal> {

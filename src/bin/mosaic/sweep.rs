@@ -99,12 +99,13 @@ impl Subject {
         let Scene { plant, day, .. } = self.scene;
         // The cap guards a visitor's memory; here it would cut off the largest individuals.
         let recipe = Recipe { days: day, max_cells: u32::MAX, ..self.scene.recipe.clone() };
-        let mut growth = plant
-            .sow(self.mesh.clone(), recipe.clone(), individual)
-            .expect("the recipes of figures are sound");
+        let scene = Scene { individual, recipe: recipe.clone(), ..self.scene.clone() };
+        let sown = scene.sow(self.mesh.clone());
+        let (mut growth, noise) = sown.expect("the recipes of figures are sound");
         while growth.step() != Progress::Done {}
-        let diary = growth.diary;
-        let first_cells = diary.count(0).by_type;
+        let painted = noise.map(|noise| noise.paint(&self.mesh, &growth.diary, day as usize));
+        let first_cells = growth.diary.count(0).by_type;
+        let diary = painted.unwrap_or(growth.diary);
         let expected = expected_cells(&recipe, &(plant.controls)(), first_cells, day as usize);
         let pattern = Pattern::of(&self.mesh, &mut Charts::new(&self.mesh), &diary, day as usize);
         Row {
