@@ -213,6 +213,19 @@ mod tests {
     }
 
     #[test]
+    fn a_direction_field_has_weight_and_m_cells_have_a_name() {
+        for plant in all() {
+            let surface = plant.embedded_body().surface;
+            let has_field = (plant.field)(&surface).is_some();
+            assert_eq!(plant.recipe.anisotropy > 0.0, has_field, "{}", plant.key);
+            let growth = plant.sow(Arc::new(surface), plant.recipe.clone(), 1).unwrap();
+            let first = growth.diary.lineage.iter().any(|cell| cell.kind == CellType::Middle);
+            let born = (0..2).any(|from| plant.recipe.mutation[from][2] > 0.0);
+            assert_eq!(!plant.colour_names[2].is_empty(), first || born, "{}", plant.key);
+        }
+    }
+
+    #[test]
     fn triangles_are_of_like_size_and_no_slivers() {
         for plant in all() {
             let mesh = plant.embedded_body().surface;

@@ -5,16 +5,23 @@ use crate::surface::{Body, Face, PolygonMesh};
 use crate::tissue::Recipe;
 use glam::Vec3;
 
-/// Two plants of one square sheet each.
-pub const PLANTS: &[Plant] = &[plant("leaf", "Leaf", 6), plant("fruit", "Fruit", 4)];
+/// Two plants of one square sheet each; the first has M cells and says how much its field weighs.
+pub const PLANTS: &[Plant] =
+    &[plant("leaf", "Leaf", 6, "red", 0.25), plant("fruit", "Fruit", 4, "", 0.0)];
 
-const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
+const fn plant(
+    key: &'static str,
+    name: &'static str,
+    days: u32,
+    middle: &'static str,
+    anisotropy: f32,
+) -> Plant {
     Plant {
         key,
         name,
         latin: "Folium quadratum",
         source: "made for tests",
-        colour_names: ["yellow", "green", ""],
+        colour_names: ["yellow", "green", middle],
         recipe: Recipe {
             initial_cells: 100,
             initial_probability: [0.5, 0.5, 0.0],
@@ -23,6 +30,7 @@ const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
             adhesion: [[0.5, 0.0, 0.0], [0.0, 0.8, 0.0], [0.0, 0.0, 0.0]],
             radius_scale: 1.0,
             repulsion: 0.09,
+            anisotropy,
             initial_relaxations: 3,
             relaxations_per_day: 2,
             days,
