@@ -31,7 +31,7 @@ const FIRST_REACH: f32 = 1.3;
 
 /// From day 1 on, when cells have moved, charts reach at least so far, in mean spacings: then those of
 /// day 1 serve all days. Day 0, for whose picture everybody waits, needs smaller ones.
-const SMALLEST_CHART: f32 = 2.3;
+const SMALLEST_CHART: f32 = 1.9;
 
 impl SiteFinder {
     pub fn new(mesh: &Mesh) -> SiteFinder {
@@ -51,6 +51,10 @@ impl SiteFinder {
         let spacing = (mesh.area / diary.days[day].places.len() as f32).sqrt();
         let room = BORDER_ROOM * spacing;
         let born_before = diary.days[day.saturating_sub(1)].places.len() as u32;
+        if day == 1 {
+            // Those of day 0 are too small for any later one.
+            self.charts = Charts::new(mesh);
+        }
         self.cells.gather(mesh, &mut self.charts, diary, day, spacing);
         self.cell_of.clear();
         self.number_of.clear();

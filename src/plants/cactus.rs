@@ -51,10 +51,11 @@ pub const PLANT: Plant = Plant {
     body: grow_body,
     controls: Vec::new,
     field: |_| None,
+    unfolding_days: &[],
 };
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    let mut mesh = super::smooth(obj, |group| {
+    let mut mesh = super::smooth(obj, &|group| {
         match group.material.as_str() {
             "bare:areole" => 0,
             // About as many triangles as cells: the repulsive radius is four times the spacing, and

@@ -51,10 +51,11 @@ pub const PLANT: Plant = Plant {
     body: grow_body,
     controls: young_leaves,
     field: |_| None,
+    unfolding_days: &[],
 };
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    let mesh = super::smooth(obj, |group| match group.material.as_str() {
+    let mesh = super::smooth(obj, &|group| match group.material.as_str() {
         "bare:petiole" | "bare:soil" => 1,
         _ => 2,
     })?;

@@ -22,6 +22,7 @@ mod long_watermelon;
 mod mushroom;
 pub mod original;
 mod philodendron;
+mod philodendron_shoot;
 mod sansevieria;
 mod spikes;
 mod square_watermelon;
@@ -54,11 +55,14 @@ pub struct Plant {
     pub controls: fn() -> Vec<Control>,
     /// The direction field of its surface, if it has one.
     pub field: fn(&Mesh) -> Option<DirectionField>,
+    /// The day on which each part of the body unfolds, in their order; those that are not named are
+    /// there from day 0.
+    pub unfolding_days: &'static [u32],
 }
 
 impl Plant {
     /// Sows an individual on the plant's surface, under its control images and along its direction
-    /// field; the recipe may be another than the plant's own.
+    /// field, each part on its day; the recipe may be another than the plant's own.
     pub fn sow(
         &self,
         surface: Arc<Mesh>,
@@ -66,7 +70,8 @@ impl Plant {
         individual: u32,
     ) -> Result<Growth, RecipeError> {
         let field = (self.field)(&surface);
-        let growth = Growth::new(surface, recipe, &(self.controls)(), individual)?;
+        let growth = Growth::new(surface, recipe, &(self.controls)(), individual)?
+            .unfolding(self.unfolding_days);
         Ok(match field {
             Some(field) => growth.along(field),
             None => growth,
@@ -131,7 +136,7 @@ pub struct View {
 
 /// All plants in the order of the chooser.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 11] = [
+    static ALL: [Plant; 12] = [
         croton::PLANT,
         cactus::PLANT,
         watermelon::PLANT,
@@ -143,6 +148,7 @@ pub fn all() -> &'static [Plant] {
         banded_cactus::PLANT,
         long_watermelon::PLANT,
         amanita::PLANT,
+        philodendron_shoot::PLANT,
     ];
     &ALL
 }
@@ -153,7 +159,7 @@ pub fn find(key: &str) -> Option<&'static Plant> {
 }
 
 /// The mesh of a text, each group refined so many times.
-fn smooth(obj: &str, levels: impl Fn(&Group) -> u32) -> Result<PolygonMesh, BodyError> {
+fn smooth(obj: &str, levels: &dyn Fn(&Group) -> u32) -> Result<PolygonMesh, BodyError> {
     Ok(PolygonMesh::parse(obj)?.refined_by(levels))
 }
 
@@ -271,6 +277,14 @@ mod tests {
             assert_eq!(mesh.part_count(), parts, "{key}");
             assert_eq!(!mesh.twins.contains(&NO_TWIN), closed, "{key}");
         }
+    }
+
+    #[test]
+    fn the_leaves_of_a_shoot_are_of_the_ages_of_the_figure() {
+        let shoot = find("philodendron-shoot").unwrap();
+        assert_eq!(shoot.unfolding_days.len(), surface(shoot.key).part_count());
+        let ages = shoot.unfolding_days.iter().map(|unfolded| shoot.first_day - unfolded);
+        assert!(ages.eq([32, 30, 27, 25, 23, 20]));
     }
 
     #[test]

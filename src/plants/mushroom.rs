@@ -55,10 +55,11 @@ pub const PLANT: Plant = Plant {
     body: grow_body,
     controls: warts,
     field: |_| None,
+    unfolding_days: &[],
 };
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    let mut mesh = super::smooth(obj, |group| {
+    let mut mesh = super::smooth(obj, &|group| {
         match group.part.as_str() {
             // About as many triangles as first cells: finer, and the wide repulsive radius has far
             // more of them to unfold around each cell.

@@ -1,5 +1,5 @@
 //! Philodendron: a lime blaze along the midrib that spreads to the rim in feathered strokes
-//! (Thesis, Fig. 4.10).
+//! (Thesis, Fig. 4.12).
 
 use super::{BodyError, Look, Plant, View, rough, scatter};
 use crate::surface::{Body, ControlImage, DirectionField, Group, Guide, Mesh, Wrap};
@@ -10,7 +10,7 @@ pub const PLANT: Plant = Plant {
     key: "philodendron",
     name: "Philodendron",
     latin: "Philodendron hederaceum",
-    source: "Thesis, Fig. 4.10",
+    source: "Thesis, Fig. 4.12",
     colour_names: ["lime", "green", ""],
     recipe: Recipe {
         initial_cells: 10_000,
@@ -54,11 +54,12 @@ pub const PLANT: Plant = Plant {
     body: grow_body,
     controls: blaze,
     field: |surface| Some(side_veins(surface)),
+    unfolding_days: &[],
 };
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
     let levels = |group: &Group| if group.material == "bare:soil" { 1 } else { 2 };
-    Ok(Body::new(&super::smooth(obj, levels)?)?)
+    Ok(Body::new(&super::smooth(obj, &levels)?)?)
 }
 
 /// How far a side vein goes along the leaf on its way from midrib to rim.

@@ -47,6 +47,7 @@ pub const PLANT: Plant = Plant {
     body: grow_body,
     controls: margins_and_bands,
     field: |_| None,
+    unfolding_days: &[],
 };
 
 /// The leaf coordinates of all leaves lie side by side, as in an atlas, so that each leaf has bands
@@ -73,7 +74,7 @@ fn smooth_step(t: f32) -> f32 {
 }
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    Ok(Body::new(&super::smooth(obj, |_| 2)?)?)
+    Ok(Body::new(&super::smooth(obj, &|_| 2)?)?)
 }
 
 /// F along the rims alone, instead of it M; and M in bands alone, instead of it B.

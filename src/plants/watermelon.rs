@@ -46,6 +46,7 @@ pub const PLANT: Plant = Plant {
     body: grow_body,
     controls: stripes,
     field: |_| None,
+    unfolding_days: &[],
 };
 
 /// Towards the stem end; of unit length.
@@ -57,7 +58,7 @@ pub(super) const CENTRE: Vec3 = Vec3::new(0.0, 12.3, 0.0);
 const STRIPES: u32 = 11;
 
 fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    Ok(Body::new(&super::smooth(obj, |_| 2)?)?)
+    Ok(Body::new(&super::smooth(obj, &|_| 2)?)?)
 }
 
 fn stripes() -> Vec<Control> {

@@ -107,7 +107,8 @@ pub const FIGURES: &[Figure] = &[
         number: "4.10",
         title: "A philodendron unfolds its blaze",
         caption: "First cells are lime only along the middle of each leaf, and a direction field \
-                  leads them out to the rim: the older the leaf, the longer the strokes.",
+                  leads them out to the rim: the older the leaf, the longer the strokes. Leaves of \
+                  one shoot have unfolded one after another.",
         pictures: &[
             picture("day 20", "philodendron?v=1&s=1&d=20"),
             picture("day 23", "philodendron?v=1&s=1&d=23"),
@@ -115,6 +116,7 @@ pub const FIGURES: &[Figure] = &[
             picture("day 27", "philodendron?v=1&s=1&d=27"),
             picture("day 30", "philodendron?v=1&s=1&d=30"),
             picture("day 32", "philodendron?v=1&s=1&d=32"),
+            picture("one shoot", "philodendron-shoot?v=1&s=1&d=32"),
         ],
     },
     Figure {

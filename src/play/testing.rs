@@ -51,6 +51,7 @@ const fn plant(
         body: sheet,
         controls: Vec::new,
         field: |_| None,
+        unfolding_days: &[],
     }
 }
 

@@ -10,12 +10,16 @@ use crate::surface::Mesh;
 use crate::tissue::{Diary, Growth, Noise, Progress};
 use std::sync::Arc;
 
+/// Grounds that are kept. One holds up to 130 MB of charts.
+const MOST_GROUNDS: usize = 2;
+
 /// Grows one plant at a time.
 pub struct Worker {
     plants: &'static [Plant],
     /// The texts of the mesh files that came, by name.
     meshes: Vec<(String, String)>,
-    /// Grounds by plant, made once and kept: to refine one takes longer than its first days.
+    /// Grounds of the plants grown last, the newest at the end: to make one takes longer than the
+    /// first days of its plant.
     grounds: Vec<Ground>,
     run: Option<Run>,
 }
@@ -114,13 +118,18 @@ impl Worker {
     /// The index of a plant's ground.
     fn ground(&mut self, plant: &'static Plant) -> Result<usize, String> {
         if let Some(known) = self.grounds.iter().position(|ground| ground.plant == plant.key) {
-            return Ok(known);
+            let known = self.grounds.remove(known);
+            self.grounds.push(known);
+            return Ok(self.grounds.len() - 1);
         }
         let mesh = self.meshes.iter().find(|(name, _)| name == plant.mesh.name);
         let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.mesh.name))?;
         let body = (plant.body)(text).map_err(|why| format!("{}: {why}", plant.mesh.name))?;
         let surface = Arc::new(body.surface);
         let finder = SiteFinder::new(&surface);
+        if self.grounds.len() == MOST_GROUNDS {
+            self.grounds.remove(0);
+        }
         self.grounds.push(Ground { plant: plant.key, surface, finder });
         Ok(self.grounds.len() - 1)
     }

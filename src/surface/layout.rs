@@ -2,6 +2,7 @@
 //! curvature leaves between them.
 
 use super::chart::{Image, image, unfold};
+use super::lengths::distance;
 use super::outline::Outline;
 use super::{Mesh, NO_TWIN};
 use glam::Vec2;
@@ -292,8 +293,8 @@ impl<'a> Layout<'a> {
                 if !self.outline.is_within(self.reach, &[from, to]) {
                     continue;
                 }
-                let length = shape[(k + 1) % 3].distance(shape[(k + 2) % 3]);
-                let stretch = (from.distance(to) / length - 1.0).abs();
+                let length = distance(shape[(k + 1) % 3], shape[(k + 2) % 3]);
+                let stretch = (distance(from, to) / length - 1.0).abs();
                 if stretch > FLAT.most {
                     return false;
                 }

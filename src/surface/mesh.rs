@@ -1,6 +1,7 @@
 //! A triangle mesh with half-edges, and a flat frame on each of its triangles.
 
 use super::SurfaceError;
+use super::lengths::normalized;
 use glam::{Vec2, Vec3};
 use std::collections::HashMap;
 
@@ -250,9 +251,9 @@ fn turn(frames: &[Frame], twins: &[u32], h: usize) -> Vec2 {
     let twin = twins[h] as usize;
     let direction = |h: usize| {
         let c = frames[h / 3].corners();
-        (c[(h % 3 + 2) % 3] - c[(h % 3 + 1) % 3]).normalize()
+        normalized(c[(h % 3 + 2) % 3] - c[(h % 3 + 1) % 3])
     };
     let (here, there) = (direction(h), -direction(twin));
     // The rotation from `here` to `there` as a complex number, there / here.
-    Vec2::new(here.dot(there), here.perp_dot(there)).normalize()
+    normalized(Vec2::new(here.dot(there), here.perp_dot(there)))
 }

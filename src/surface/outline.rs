@@ -1,5 +1,6 @@
 //! The convex polygon around a patch, to tell what lies near it.
 
+use super::lengths::normalized;
 use glam::Vec2;
 
 /// A convex polygon around points of a plane.
@@ -33,7 +34,7 @@ impl Outline {
             }
         }
         let edges = hull.windows(2).filter(|pair| pair[0] != pair[1]).map(|pair| {
-            let normal = -(pair[1] - pair[0]).perp().normalize();
+            let normal = -normalized((pair[1] - pair[0]).perp());
             (normal, normal.dot(pair[0]))
         });
         Outline {

@@ -30,7 +30,7 @@ impl PolygonMesh {
     ///
     /// # Panics
     /// As `refined`.
-    pub fn refined_by(&self, levels: impl Fn(&Group) -> u32) -> PolygonMesh {
+    pub fn refined_by(&self, levels: &dyn Fn(&Group) -> u32) -> PolygonMesh {
         let unnamed = Group { part: String::new(), material: String::new() };
         let level_of =
             |face: &Face| levels(self.groups.get(face.group as usize).unwrap_or(&unnamed));
@@ -324,11 +324,11 @@ mod tests {
         let square = Group { part: String::new(), material: String::new() };
         mesh.groups = vec![square, Group { part: "spine".to_string(), material: String::new() }];
         mesh.faces[3].group = 1;
-        let mixed = mesh.refined_by(|group| if group.part.is_empty() { 2 } else { 0 });
+        let mixed = mesh.refined_by(&|group| if group.part.is_empty() { 2 } else { 0 });
         assert_eq!(mixed.faces.len(), 3 * 16 + 1);
         assert_eq!(mixed.uvs.len(), mixed.positions.len());
         assert!(mixed.positions.iter().zip(&mixed.uvs).all(|(p, uv)| p.x == uv.x && p.z == uv.y));
-        let even = mesh.refined_by(|_| 2);
+        let even = mesh.refined_by(&|_| 2);
         assert_eq!(even.faces.len(), mesh.refined(2).faces.len());
         assert_eq!(even.positions.len(), mesh.refined(2).positions.len());
     }

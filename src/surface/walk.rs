@@ -1,6 +1,7 @@
 //! Straight walks over the surface: a step in the plane of one triangle goes on over its edges as
 //! if the neighbours were unfolded into that plane, and slides along the rim of an open surface.
 
+use super::lengths::normalized;
 use super::{Mesh, NO_TWIN, Place};
 use glam::Vec2;
 
@@ -58,7 +59,7 @@ fn walk_out(mesh: &Mesh, from: Place, step: Vec2) -> Step {
                 break;
             }
             let corners = mesh.frames[triangle].corners();
-            let edge = (corners[last] - corners[next]).normalize();
+            let edge = normalized(corners[last] - corners[next]);
             rest = edge * rest.dot(edge);
             entered = exit;
             on_rim = true;

@@ -1,6 +1,6 @@
 //! Bins: the triangles of a mesh, each cut into equal ones where many cells share it.
 
-use crate::surface::{Frame, Mesh, Place};
+use crate::surface::{Frame, Mesh, Place, distance};
 use std::ops::Range;
 use wide::{f32x4, i32x4};
 
@@ -106,7 +106,7 @@ impl Bins {
 fn size(frame: &Frame) -> f32 {
     let corners = frame.corners();
     let centroid = (corners[1] + corners[2]) / 3.0;
-    corners.iter().map(|c| c.distance(centroid)).fold(0.0, f32::max)
+    corners.iter().map(|&c| distance(c, centroid)).fold(0.0, f32::max)
 }
 
 /// The lines through the edges of a triangle, to tell which points lie near it.
@@ -126,7 +126,7 @@ impl Rim {
             per_apex: f32x4::splat(1.0 / frame.apex.y),
             per_length: f32x4::splat(1.0 / frame.length),
             apex_x: f32x4::splat(frame.apex.x),
-            per_cm: [c.distance(b) / area, c.distance(a) / area, frame.length / area],
+            per_cm: [distance(c, b) / area, distance(c, a) / area, frame.length / area],
         }
     }
 

@@ -55,6 +55,15 @@ impl Clocks {
         clocks
     }
 
+    /// Lets the clock of each first cell begin on a day of its own.
+    pub fn delay(&mut self, first_days: &[u32], last_day: u32) {
+        let delayed = |Reverse(due): Reverse<Due>| {
+            let time = f64::from_bits(due.time) + f64::from(first_days[due.cell as usize]);
+            (time < f64::from(last_day)).then_some(Reverse(Due { time: time.to_bits(), ..due }))
+        };
+        self.due = std::mem::take(&mut self.due).into_iter().filter_map(delayed).collect();
+    }
+
     /// Draws the time of a cell's next division, in days since day 0. Divisions that the recipe's
     /// last day does not see are forgotten.
     fn wind(&mut self, setting: &Setting, cell: u32, kind: CellType, place: Place, now: f64) {

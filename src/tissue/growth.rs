@@ -17,6 +17,8 @@ pub struct Growth {
     recipe: Recipe,
     controls: Vec<Control>,
     course: Option<Course>,
+    /// The day on which each part of the body unfolds; 0 where none is said.
+    unfolding_days: Vec<u32>,
     crowd: Crowd,
     clocks: Clocks,
     /// The cells' places at the beginning of the day under way.
@@ -63,6 +65,7 @@ impl Growth {
             recipe,
             controls: controls.to_vec(),
             course: None,
+            unfolding_days: Vec::new(),
             clocks,
             places,
             events: 0,
@@ -79,6 +82,23 @@ impl Growth {
         let anisotropy = self.recipe.anisotropy;
         self.course = (anisotropy > 0.0).then(|| Course::new(field, anisotropy));
         self
+    }
+
+    /// The parts of the body, in their order, unfold on these days, and those that are not named on
+    /// day 0: leaves of one plant that are of different ages (Thesis, Fig. 4.10). Until then the
+    /// first cells of a part stand still and their clocks do not run; from then on it lives as if it
+    /// were day 0, so that its age is the plant's less that day. (The repulsive radius is that of the
+    /// whole body, as always.)
+    pub fn unfolding(mut self, days: &[u32]) -> Growth {
+        self.unfolding_days = days.to_vec();
+        let first_days: Vec<u32> = self.places.iter().map(|p| self.unfolding_day(p)).collect();
+        self.clocks.delay(&first_days, self.recipe.days);
+        self
+    }
+
+    fn unfolding_day(&self, place: &Place) -> u32 {
+        let part = self.mesh.parts[place.triangle as usize];
+        self.unfolding_days.get(part as usize).copied().unwrap_or(0)
     }
 
     /// Does the next relaxation event; before the first one of a day, its divisions.
@@ -145,11 +165,19 @@ impl Growth {
 
     /// Writes the day down and renews the forces with the repulsive radius.
     fn end_day(&mut self) {
-        self.places = self.crowd.places();
-        let (cells, next_day) = (self.places.len(), self.diary.days.len() + 1);
-        self.ground = Ground::new(&self.mesh, &self.recipe, &self.controls, cells, next_day);
+        let day = self.diary.days.len();
+        let mut places = self.crowd.places();
+        // Parts do not feel each other: what has not unfolded is simply put back.
+        for (place, before) in places.iter_mut().zip(&self.places) {
+            if day > 0 && day as u32 <= self.unfolding_day(before) {
+                *place = *before;
+            }
+        }
+        let cells = places.len();
+        self.ground = Ground::new(&self.mesh, &self.recipe, &self.controls, cells, day + 1);
         let repulsive_radius = self.recipe.repulsive_radius_cm(self.mesh.area, cells);
-        self.diary.days.push(Day { places: self.places.clone(), repulsive_radius });
+        self.diary.days.push(Day { places: places.clone(), repulsive_radius });
+        self.places = places;
         self.events = 0;
     }
 }

@@ -1,7 +1,7 @@
 //! Relaxation against the formula of the thesis written down pair by pair, and what must not matter
 //! to it.
 
-use crate::meshes::{flat, flat_torus, icosphere, sheet};
+use crate::meshes::{flat, flat_torus, icosphere, sheet, two_sheets};
 use crate::{grow, grow_along};
 use clonal_mosaic::surface::{DirectionField, Guide, Mesh};
 use clonal_mosaic::tissue::{Day, Recipe};
@@ -174,18 +174,7 @@ fn the_two_faces_of_a_fold_do_not_feel_each_other() {
 
 #[test]
 fn parts_that_touch_do_not_feel_each_other() {
-    let two_sheets = |gap: f32| {
-        let one = sheet(8, SIDE_CM, flat);
-        let count = one.positions.len() as u32;
-        let above = one.positions.iter().map(|p| *p + Vec3::Z * gap);
-        let positions = one.positions.iter().copied().chain(above).collect();
-        let upper = one.triangles.iter().map(|t| t.map(|v| v + count));
-        let triangles = one.triangles.iter().copied().chain(upper).collect();
-        let mesh = Mesh::new(positions, Vec::new(), triangles).unwrap();
-        assert_eq!(mesh.part_count(), 2);
-        Arc::new(mesh)
-    };
     let recipe = Recipe { initial_cells: 600, days: 6, ..Recipe::default() };
-    let touching = grow(&two_sheets(0.0), &recipe, 2);
-    assert_eq!(touching, grow(&two_sheets(100.0), &recipe, 2));
+    let touching = grow(&Arc::new(two_sheets(8, SIDE_CM, 0.0)), &recipe, 2);
+    assert_eq!(touching, grow(&Arc::new(two_sheets(8, SIDE_CM, 100.0)), &recipe, 2));
 }

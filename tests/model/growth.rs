@@ -1,9 +1,9 @@
 //! What holds for every growth: nobody is lost, everybody stands on the surface, and the same wish
 //! gives the same cells.
 
-use crate::meshes::{blade, cube, flat, icosphere, shaken, sheet};
+use crate::meshes::{blade, cube, flat, icosphere, shaken, sheet, two_sheets};
 use crate::{chi_square, grow, rare_chi_square, without_relaxation};
-use clonal_mosaic::surface::Mesh;
+use clonal_mosaic::surface::{Mesh, Place};
 use clonal_mosaic::tissue::{Clock, Diary, Growth, Progress, Recipe};
 use glam::Vec2;
 use std::sync::Arc;
@@ -144,6 +144,54 @@ fn first_cells_have_the_types_of_the_recipe() {
     let counts = grow(&mesh, &recipe, 2).count(0).by_type.map(f64::from);
     let distance = chi_square(&counts, &[12_000.0, 6_000.0, 2_000.0]);
     assert!(distance < rare_chi_square(2), "{counts:?}");
+}
+
+#[test]
+fn a_part_that_unfolds_later_lives_through_the_same_days_later() {
+    const LATER: usize = 3;
+    let mesh = Arc::new(two_sheets(6, 6.0, 1.0));
+    let recipe = Recipe {
+        initial_cells: 800,
+        initial_probability: [0.5, 0.5, 0.0],
+        division_days: [4.0, 6.0, 6.0],
+        days: 12,
+        ..Recipe::DEFAULT
+    };
+    let both = |recipe: &Recipe| {
+        let sown = || Growth::new(mesh.clone(), recipe.clone(), &[], 5).unwrap();
+        [sown(), sown().unfolding(&[0, LATER as u32])].map(|mut growth| {
+            while growth.step() != Progress::Done {}
+            growth.diary
+        })
+    };
+    let is_late = |place: &&Place| mesh.parts[place.triangle as usize] == 1;
+
+    // Without divisions the repulsive radius stays, and both sheets take the very same ways.
+    let [free, late] = both(&Recipe { division_days: [500.0; 3], ..recipe.clone() });
+    for (day, of_day) in late.days.iter().enumerate() {
+        let own = free.days[day.saturating_sub(LATER)].places.iter();
+        for ((place, at_once), at_own) in of_day.places.iter().zip(&free.days[day].places).zip(own)
+        {
+            assert_eq!(place, if is_late(&place) { at_own } else { at_once });
+        }
+    }
+    assert!(free.days[1].places != free.days[0].places);
+
+    // With them, the clans are the same.
+    let [free, late] = both(&recipe);
+    let cells = |diary: &Diary, day: usize, part: u32| {
+        let places = &diary.days[day].places;
+        let here = |cell: &usize| mesh.parts[places[*cell].triangle as usize] == part;
+        (0..places.len()).filter(here).fold([0; 3], |mut count: [u32; 3], cell| {
+            count[diary.lineage[cell].kind as usize] += 1;
+            count
+        })
+    };
+    for day in 0..=12 {
+        assert_eq!(cells(&late, day, 0), cells(&free, day, 0));
+        assert_eq!(cells(&late, day, 1), cells(&free, day.saturating_sub(LATER), 1));
+    }
+    assert!(cells(&free, 12, 1)[0] > 2 * cells(&free, 0, 1)[0]);
 }
 
 #[test]

@@ -15,6 +15,19 @@ pub fn sheet(n: u32, side: f32, bend: impl Fn(Vec2) -> Vec3) -> Mesh {
     Mesh::new(positions, Vec::new(), sheet_triangles(n)).unwrap()
 }
 
+/// Two flat sheets, a gap above each other.
+pub fn two_sheets(n: u32, side: f32, gap: f32) -> Mesh {
+    let one = sheet(n, side, flat);
+    let count = one.positions.len() as u32;
+    let above = one.positions.iter().map(|p| *p + Vec3::Z * gap);
+    let positions = one.positions.iter().copied().chain(above).collect();
+    let upper = one.triangles.iter().map(|t| t.map(|v| v + count));
+    let triangles = one.triangles.iter().copied().chain(upper).collect();
+    let mesh = Mesh::new(positions, Vec::new(), triangles).unwrap();
+    assert_eq!(mesh.part_count(), 2);
+    mesh
+}
+
 fn sheet_triangles(n: u32) -> Vec<[u32; 3]> {
     (0..n * n)
         .flat_map(|k| {

@@ -6,7 +6,7 @@ use clonal_mosaic::plants;
 use clonal_mosaic::play::figures::Figure;
 use clonal_mosaic::play::{Scene, link};
 use clonal_mosaic::surface::{Charts, Mesh};
-use clonal_mosaic::tissue::{Progress, Recipe, expected_cells};
+use clonal_mosaic::tissue::{Diary, Expected, Progress, Recipe, expected_cells};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -96,17 +96,16 @@ pub fn grow(
 impl Subject {
     /// Grows an individual up to the picture's day.
     fn grow(&self, individual: u32) -> Row {
-        let Scene { plant, day, .. } = self.scene;
+        let day = self.scene.day;
         // The cap guards a visitor's memory; here it would cut off the largest individuals.
         let recipe = Recipe { days: day, max_cells: u32::MAX, ..self.scene.recipe.clone() };
         let scene = Scene { individual, recipe: recipe.clone(), ..self.scene.clone() };
         let sown = scene.sow(self.mesh.clone());
         let (mut growth, noise) = sown.expect("the recipes of figures are sound");
         while growth.step() != Progress::Done {}
+        let expected = self.expected(&recipe, &growth.diary);
         let painted = noise.map(|noise| noise.paint(&self.mesh, &growth.diary, day as usize));
-        let first_cells = growth.diary.count(0).by_type;
         let diary = painted.unwrap_or(growth.diary);
-        let expected = expected_cells(&recipe, &(plant.controls)(), first_cells, day as usize);
         let pattern = Pattern::of(&self.mesh, &mut Charts::new(&self.mesh), &diary, day as usize);
         Row {
             item: 0,
@@ -122,6 +121,25 @@ impl Subject {
             mixed_edges: pattern.mixed_edges,
             expected: expected.map(|e| [e.mean, e.variance]),
         }
+    }
+
+    /// What the model says of the first cells of an individual, each part at its own age.
+    fn expected(&self, recipe: &Recipe, diary: &Diary) -> Option<Expected> {
+        let plant = self.scene.plant;
+        let mut by_age = BTreeMap::<u32, [u32; 3]>::new();
+        for (place, cell) in diary.days[0].places.iter().zip(&diary.lineage) {
+            let part = self.mesh.parts[place.triangle as usize] as usize;
+            let unfolded = plant.unfolding_days.get(part).copied().unwrap_or(0);
+            let age = self.scene.day.saturating_sub(unfolded);
+            by_age.entry(age).or_default()[cell.kind as usize] += 1;
+        }
+        let mut all = Expected::default();
+        for (age, first_cells) in by_age {
+            let of_age = expected_cells(recipe, &(plant.controls)(), first_cells, age as usize)?;
+            all.mean += of_age.mean;
+            all.variance += of_age.variance;
+        }
+        Some(all)
     }
 }
 

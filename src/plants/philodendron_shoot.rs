@@ -1,0 +1,22 @@
+//! Philodendron shoot: its leaves have unfolded one after another, and stand at six ages (Thesis,
+//! Fig. 4.10).
+
+use super::{Plant, philodendron};
+use crate::tissue::Recipe;
+
+pub const PLANT: Plant = Plant {
+    key: "philodendron-shoot",
+    name: "Philodendron shoot",
+    source: "Thesis, Fig. 4.10",
+    recipe: Recipe {
+        // Open in the thesis. At 0.09 leaves of 20 and of 32 days look alike; here the strokes of the
+        // oldest reach the rim, and those of the youngest do not.
+        repulsion: 0.25,
+        ..philodendron::PLANT.recipe
+    },
+    // On the last day the leaves, from the oldest near the pot to the youngest, are of 32, 30, 27, 25,
+    // 23 and 20 days.
+    unfolding_days: &[0, 2, 5, 7, 9, 12],
+    first_day: philodendron::PLANT.recipe.days,
+    ..philodendron::PLANT
+};
