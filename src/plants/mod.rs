@@ -23,6 +23,7 @@ mod mushroom;
 pub mod original;
 mod philodendron;
 mod philodendron_shoot;
+mod red_croton;
 mod sansevieria;
 mod spikes;
 mod square_watermelon;
@@ -40,7 +41,7 @@ pub struct Plant {
     /// English name: `Croton`.
     pub name: &'static str,
     pub latin: &'static str,
-    /// The picture of the thesis that it follows: `Thesis, Fig. 4.3`.
+    /// The picture, or else the rule, of the thesis that it follows: `Thesis, Fig. 4.3`.
     pub source: &'static str,
     /// What the colours of F, B and M are called: `["yellow", "green", ""]`.
     pub colour_names: [&'static str; 3],
@@ -136,7 +137,7 @@ pub struct View {
 
 /// All plants in the order of the chooser.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 12] = [
+    static ALL: [Plant; 13] = [
         croton::PLANT,
         cactus::PLANT,
         watermelon::PLANT,
@@ -145,6 +146,7 @@ pub fn all() -> &'static [Plant] {
         sansevieria::PLANT,
         square_watermelon::PLANT,
         croton_shrub::PLANT,
+        red_croton::PLANT,
         banded_cactus::PLANT,
         long_watermelon::PLANT,
         amanita::PLANT,
@@ -229,6 +231,24 @@ mod tests {
             let born = (0..2).any(|from| plant.recipe.mutation[from][2] > 0.0);
             assert_eq!(!plant.colour_names[2].is_empty(), first || born, "{}", plant.key);
         }
+    }
+
+    #[test]
+    fn a_red_croton_has_red_from_yellow_and_yellow_from_green() {
+        let plant = find("red-croton").unwrap();
+        let mesh = Arc::new(plant.embedded_body().surface);
+        let recipe = Recipe { days: 24, ..plant.recipe.clone() };
+        let mut growth = plant.sow(mesh, recipe, 1).unwrap();
+        while growth.step() != Progress::Done {}
+        let diary = &growth.diary;
+        assert_eq!(diary.count(0).by_type[2], 0, "no first cell is red");
+        let mut born_of = [[0; 3]; 3];
+        for cell in diary.lineage.iter().filter(|cell| cell.born_day > 0) {
+            born_of[diary.lineage[cell.parent as usize].kind as usize][cell.kind as usize] += 1;
+        }
+        let [[_, fb, fm], [bf, _, bm], [mf, mb, mm]] = born_of;
+        assert_eq!([fb, bm, mf, mb], [0; 4], "{born_of:?}");
+        assert!(fm > 200 && bf > 200 && mm > 200, "{born_of:?}");
     }
 
     #[test]
