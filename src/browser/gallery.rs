@@ -174,7 +174,9 @@ impl RowView {
     fn new(list: &Element, figure: &'static Figure) -> RowView {
         let element = copy_of_template("figure-template");
         set_attribute(&element, "id", format!("figure-{}", figure.number));
-        set_text(&within(&element, ".number"), figure.number);
+        let number: Element = within(&element, ".number");
+        set_text(&number, figure.number);
+        set_attribute(&number, "href", format!("#figures/{}", figure.number));
         set_text(&within(&element, ".title"), figure.title);
         set_text(&within(&element, ".figure-caption"), figure.caption);
         let scene = link::read(figure.pictures[0].link, plants::all()).scene;

@@ -2,7 +2,7 @@
 
 use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
-use crate::draw::{DrawError, Frame, Renderer};
+use crate::draw::{DrawError, Frame, Geometry, Renderer};
 use crate::mosaic::SiteLists;
 use crate::plants::{BodyError, Look, Plant};
 use crate::play::camera::{Camera, Sphere};
@@ -42,6 +42,7 @@ enum Graphics {
 
 struct OnStage {
     body: Body,
+    geometry: Geometry,
     sphere: Sphere,
 }
 
@@ -213,19 +214,23 @@ impl Stage {
     }
 
     fn portray(&mut self, picture: &Picture, dark: bool) -> Result<bool, DrawError> {
-        let Graphics::Running(renderer) = &mut self.graphics else {
-            return Ok(matches!(self.graphics, Graphics::None));
-        };
+        if let Graphics::None = self.graphics {
+            return Ok(true);
+        }
         let key = picture.plant.key;
         if self.body.as_ref().is_none_or(|(of, _)| *of != key) {
             // What is no mesh the worker tells.
             let on_stage = picture.mesh.and_then(|mesh| OnStage::of(picture.plant, mesh).ok());
             self.body = on_stage.map(|on_stage| (key, on_stage));
         }
-        let Some((_, on_stage)) = &mut self.body else { return Ok(false) };
+        // The body is ready when the graphics card is.
+        let (Graphics::Running(renderer), Some((_, on_stage))) = (&mut self.graphics, &self.body)
+        else {
+            return Ok(false);
+        };
         let handed = &mut self.handed;
         if handed.plant != Some(key) || handed.look.as_ref() != Some(picture.look) {
-            renderer.set_body(&on_stage.body, picture.look);
+            renderer.set_body(&on_stage.body, &on_stage.geometry, picture.look);
             let look = Some(picture.look.clone());
             *handed = Handed { plant: Some(key), look, ..Handed::default() };
         }
@@ -281,7 +286,7 @@ impl Drop for Stage {
 impl OnStage {
     fn of(plant: &Plant, mesh: &str) -> Result<OnStage, BodyError> {
         let body = (plant.body)(mesh)?;
-        let sphere = Sphere::around(&body);
-        Ok(OnStage { body, sphere })
+        let (geometry, sphere) = (Geometry::new(&body), Sphere::around(&body));
+        Ok(OnStage { body, geometry, sphere })
     }
 }

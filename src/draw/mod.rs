@@ -16,6 +16,7 @@ mod scene;
 #[cfg(target_arch = "wasm32")]
 mod start;
 
+pub use geometry::Geometry;
 use glam::{Mat4, Vec3};
 pub use renderer::Renderer;
 

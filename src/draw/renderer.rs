@@ -1,9 +1,9 @@
 //! Holds what stands on the graphics card, and draws frames of it.
 
 use super::data_texture::DataTexture;
-use super::geometry::{Geometry, vein_lean};
+use super::geometry::{Geometry, materials, vein_lean};
 use super::pipelines::{DEPTH, Pipelines, SAMPLES};
-use super::scene::{BARE_MATERIALS, SHADOW_SIDE, Scene};
+use super::scene::{SHADOW_SIDE, Scene};
 use super::{DrawError, Frame};
 use crate::mosaic::{Site, SiteLists};
 use crate::plants::Look;
@@ -120,20 +120,17 @@ impl Renderer {
     }
 
     /// Shows a body, bare until its sites come: `set_sites` of the body before counts no more.
-    /// Takes tens of milliseconds of the processor for 16,000 triangles: once for each plant.
-    pub fn set_body(&mut self, body: &Body, look: &Look) {
-        let materials = materials(body);
-        let number = |name: &str| materials.iter().position(|m| *m == name).unwrap_or(0) as u32;
-        let geometry = Geometry::new(body, number);
+    /// `geometry` is that of the body.
+    pub fn set_body(&mut self, body: &Body, geometry: &Geometry, look: &Look) {
         let sheet = body.surface.twins.contains(&NO_TWIN);
         let lean = vein_lean(&body.surface);
         self.scene.set_body(look, &geometry.bounds, lean, sheet);
-        for (number, name) in materials.iter().enumerate() {
+        for (number, name) in materials(body).iter().enumerate() {
             let named = look.bare.iter().find(|(n, ..)| n == name);
             let (colour, gloss) = named.map_or(PLAIN, |&(_, colour, gloss)| (colour, gloss));
             self.scene.set_bare(number, colour, gloss);
         }
-        self.model = Some(Model::new(&self.device, &geometry));
+        self.model = Some(Model::new(&self.device, geometry));
         self.heads = DataTexture::new(&self.device);
         self.sites_group = bind_sites(&self.device, &self.pipelines, &self.heads, &self.sites);
     }
@@ -254,15 +251,6 @@ impl Model {
             shadow_is_stale: true,
         }
     }
-}
-
-/// The names of the bare materials of a body; what comes after the last place shares the first.
-fn materials(body: &Body) -> Vec<&str> {
-    let mut names: Vec<&str> = body.ornaments.iter().map(|part| part.material.as_str()).collect();
-    names.sort_unstable();
-    names.dedup();
-    names.truncate(BARE_MATERIALS);
-    names
 }
 
 /// A pass into a depth target and, if given, a multisampled colour target and what it resolves to.

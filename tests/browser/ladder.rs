@@ -50,21 +50,25 @@ fn without_both_there_is_a_still_picture_and_plain_words() {
 }
 
 #[test]
-fn a_poster_stands_there_before_the_live_picture() {
+fn the_poster_of_the_linked_plant_stands_there_before_the_page_has_come() {
     let Some(page) = Page::start(Graphics::Neither) else { return };
-    // Nothing but the HTML itself: what the visitor sees while all the rest is on its way.
+    // What the visitor sees while all but the HTML and the small first bundle is on its way.
     page.devtools("Network.enable", json!({}));
-    page.devtools("Network.setBlockedURLs", json!({ "urls": ["*.js*", "*.wasm*"] }));
-    page.visit("");
-    let poster = "const p = document.getElementById('poster');
-                  return p.checkVisibility() && p.complete && p.naturalWidth > 100
-                      && p.src.includes('croton')";
-    let begun = std::time::Instant::now();
-    while page.run(poster) != true {
-        assert!(begun.elapsed().as_secs() < 10, "no poster stands in the HTML");
-        std::thread::sleep(std::time::Duration::from_millis(50));
+    page.devtools("Network.setBlockedURLs", json!({ "urls": ["*page*"] }));
+    for (link, plant) in [("", "croton"), (LINK, "watermelon"), ("#figures", "croton")] {
+        page.visit(link);
+        let poster = format!(
+            "const p = document.getElementById('poster');
+             return p.checkVisibility() && p.complete && p.naturalWidth > 100
+                 && p.src.includes('{plant}')"
+        );
+        let begun = std::time::Instant::now();
+        while page.run(&poster) != true {
+            assert!(begun.elapsed().as_secs() < 10, "no poster of the {plant}");
+            std::thread::sleep(std::time::Duration::from_millis(50));
+        }
+        assert_eq!(page.run("return document.getElementById('stage').dataset.live"), json!(null));
     }
-    assert_eq!(page.state().state, "loading");
 }
 
 /// Opens a page that some files never reach, and waits until it says so.

@@ -19,21 +19,31 @@ pub struct WebDriver {
 /// An element of the page.
 pub struct Element(String);
 
+/// Starts chromedriver; the port that it tells.
+fn start_driver(chromedriver: &str) -> Option<(Child, u16)> {
+    let mut driver = Command::new(chromedriver)
+        .arg("--port=0")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap_or_else(|e| panic!("{chromedriver} does not start: {e}"));
+    let told = BufReader::new(driver.stdout.take().expect("a piped output")).lines();
+    let port = told.map_while(Result::ok).find_map(|line| {
+        let (_, port) = line.split_once("successfully on port ")?;
+        port.trim_end_matches('.').parse().ok()
+    });
+    if port.is_none() {
+        let _ = driver.wait();
+    }
+    Some((driver, port?))
+}
+
 impl WebDriver {
     /// Starts chromedriver and a Chromium with these arguments.
     pub fn start(chromedriver: &str, chromium: &str, arguments: &[&str]) -> WebDriver {
-        let mut driver = Command::new(chromedriver)
-            .arg("--port=0")
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap_or_else(|e| panic!("{chromedriver} does not start: {e}"));
-        let told = BufReader::new(driver.stdout.take().expect("a piped output")).lines();
-        let port = told.map_while(Result::ok).find_map(|line| {
-            let (_, port) = line.split_once("successfully on port ")?;
-            port.trim_end_matches('.').parse().ok()
-        });
-        let port = port.expect("chromedriver tells its port");
+        // On a busy machine chromedriver may end before it has begun.
+        let started = (0..3).find_map(|_| start_driver(chromedriver));
+        let (driver, port) = started.expect("chromedriver tells its port");
         let mut browser = WebDriver { driver, port, session: String::new() };
         let options = json!({ "binary": chromium, "args": arguments });
         let wanted = json!({
