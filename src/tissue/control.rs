@@ -83,8 +83,9 @@ pub(super) fn check(recipe: &Recipe, controls: &[Control]) -> Result<(), RecipeE
         }
     }
     for end in [0, 1] {
+        let factor = |number| controls.iter().map(|c| c.ends(number)[end]).product();
         recipe
-            .scaled(|number| controls.iter().map(|c| c.ends(number)[end]).product())
+            .scaled(&factor)
             .check()
             .map_err(|e| RecipeError(format!("under a control image, {e}")))?;
     }

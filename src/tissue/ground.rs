@@ -30,13 +30,11 @@ impl Ground {
         if !controls.iter().any(Control::scales_forces) {
             return Ground::Even(forces(recipe));
         }
-        let local =
-            |triangle| {
-                let middle = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
-                forces(&recipe.scaled(|number| {
-                    controls.iter().map(|c| c.factor(mesh, middle, number)).product()
-                }))
-            };
+        let local = |triangle| {
+            let middle = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
+            let factor = |number| controls.iter().map(|c| c.factor(mesh, middle, number)).product();
+            forces(&recipe.scaled(&factor))
+        };
         Ground::Uneven((0..mesh.triangles.len() as u32).map(local).collect())
     }
 

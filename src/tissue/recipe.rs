@@ -150,7 +150,7 @@ impl Recipe {
     }
 
     /// The recipe with each number that can be scaled times its factor. Nothing is checked.
-    pub fn scaled(&self, factor: impl Fn(Scaled) -> f64) -> Recipe {
+    pub fn scaled(&self, factor: &dyn Fn(Scaled) -> f64) -> Recipe {
         let mut recipe = self.clone();
         recipe.radius_scale *= factor(Scaled::RadiusScale) as f32;
         recipe.repulsion *= factor(Scaled::Repulsion) as f32;
