@@ -235,9 +235,9 @@ mod tests {
         assert_eq!(
             told,
             [
-                "“pm=0.2” was left out: the fruit has no third colour.",
-                "“an=0.5” was left out: the fruit has no direction field.",
-                "“ck=0.5” was left out: it must be a whole number from 0 to 1.",
+                "“pm=0.2” was left out: this plant has no use for it.",
+                "“an=0.5” was left out: this plant has no use for it.",
+                "“ck=0.5” was left out: it must be a whole number.",
             ]
         );
     }

@@ -150,6 +150,7 @@ impl Recipe {
     }
 
     /// The recipe with each number that can be scaled times its factor. Nothing is checked.
+    #[inline(never)] // Else the page carries it twice.
     pub fn scaled(&self, factor: &dyn Fn(Scaled) -> f64) -> Recipe {
         let mut recipe = self.clone();
         recipe.radius_scale *= factor(Scaled::RadiusScale) as f32;

@@ -54,7 +54,7 @@ pub const PARAMETERS: &[Parameter] = &[
         unit: "share",
         range: [0.0, 1.0],
         step: 0.005,
-        effect: "The chance that a first cell is {M}, where no control image says otherwise.",
+        effect: "The chance that a first cell is {M}.",
         needs: Needs::Middle,
         get: |s| s.recipe.initial_probability[M as usize],
         set: |s, x| {
