@@ -1,6 +1,6 @@
 //! Gives page, worker and command line the number of their build, a hash of all sources, so that a
 //! page never takes answers from a worker of another build out of a cache; and joins the shaders to
-//! one text without comments, which nobody is to download.
+//! one text without comments and margins, which nobody is to download.
 
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
@@ -27,14 +27,29 @@ fn main() {
 /// The shaders in the order in which they build on each other, without comments and margins.
 fn shaders() -> String {
     let mut text = String::new();
-    for name in ["scene", "mosaic", "body", "ground"] {
+    for name in ["scene", "mosaic", "diagram", "body", "ground"] {
         let file = format!("src/draw/shaders/{name}.wgsl");
         for line in std::fs::read_to_string(file).expect("a shader can be read").lines() {
             let code = line.split("//").next().unwrap_or_default().trim();
             if !code.is_empty() {
-                text.push_str(code);
+                text.push_str(&without_spaces(code));
                 text.push('\n');
             }
+        }
+    }
+    text
+}
+
+/// A line of code without the spaces that part no words; `- -` stays, which `--` is not.
+fn without_spaces(code: &str) -> String {
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let mut text = String::new();
+    let mut characters = code.chars().peekable();
+    while let Some(c) = characters.next() {
+        let (before, after) = (text.chars().last(), characters.peek().copied());
+        let parts = |a: char, b: char| is_word(a) && is_word(b) || a == b;
+        if c != ' ' || before.zip(after).is_some_and(|(a, b)| parts(a, b)) {
+            text.push(c);
         }
     }
     text

@@ -12,6 +12,7 @@ use super::mail::{self, Mail};
 use super::messages::Messages;
 use super::panel::Panel;
 use super::pointer::Pointer;
+use super::show::ShowChooser;
 use super::stage::Stage;
 use super::surroundings::{Surroundings, is_dark};
 use super::timeline::Timeline;
@@ -44,6 +45,7 @@ struct App {
     messages: Messages,
     chooser: Chooser,
     timeline: Timeline,
+    show_chooser: ShowChooser,
     panel: Panel,
     controls: Controls,
     surroundings: Surroundings,
@@ -67,6 +69,7 @@ pub fn start() {
         messages: Messages::new(),
         chooser: Chooser::new(plants::all()),
         timeline: Timeline::new(),
+        show_chooser: ShowChooser::new(),
         panel: Panel::new(),
         controls: Controls::new(),
         surroundings: Surroundings::new(),
@@ -307,6 +310,7 @@ impl App {
         let page = &self.page;
         self.chooser.show(page);
         self.timeline.show(page);
+        self.show_chooser.show(page);
         self.panel.show(page);
         self.controls.show(page, self.stage.backend());
     }

@@ -6,7 +6,10 @@
 use std::fmt::Display;
 use wasm_bindgen::convert::FromWasmAbi;
 use wasm_bindgen::prelude::*;
-use web_sys::{Document, Element, EventTarget, HtmlElement, HtmlInputElement, Window};
+use web_sys::{
+    Document, Element, EventTarget, HtmlElement, HtmlInputElement, HtmlOptionElement,
+    HtmlSelectElement, Window,
+};
 
 pub fn window() -> Window {
     web_sys::window().expect("a page has a window")
@@ -49,6 +52,13 @@ pub fn set_attribute(element: &Element, name: &str, value: impl Display) {
     if element.get_attribute(name).as_deref() != Some(&value) {
         // Fails only for names that are none.
         let _ = element.set_attribute(name, &value);
+    }
+}
+
+/// Adds an option to a select.
+pub fn offer(select: &HtmlSelectElement, value: &str, text: &str) {
+    if let Ok(option) = HtmlOptionElement::new_with_text_and_value(text, value) {
+        let _ = select.append_child(&option);
     }
 }
 

@@ -26,6 +26,8 @@ mod panel;
 #[cfg(feature = "draw")]
 mod pointer;
 #[cfg(feature = "draw")]
+mod show;
+#[cfg(feature = "draw")]
 mod stage;
 #[cfg(feature = "draw")]
 mod surroundings;

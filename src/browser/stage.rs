@@ -4,7 +4,7 @@ use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
 use crate::draw::{DrawError, Frame, Geometry, Renderer};
 use crate::mosaic::SiteLists;
-use crate::plants::{BodyError, Look, Plant};
+use crate::plants::{BodyError, Look, Plant, Show};
 use crate::play::camera::{Camera, Sphere};
 use crate::play::gallery::ShownPicture;
 use crate::play::page::{Page, Shown};
@@ -50,6 +50,7 @@ struct OnStage {
 struct Picture<'a> {
     plant: &'static Plant,
     look: &'a Look,
+    show: Show,
     /// The text of the plant's mesh, once it has come.
     mesh: Option<&'a str>,
     /// None: those that are there stay.
@@ -71,6 +72,7 @@ struct Cells<'a> {
 struct Handed {
     plant: Option<&'static str>,
     look: Option<Look>,
+    show: Show,
     /// Generation and day of the cells.
     day: Option<(u32, u32)>,
     frame: Option<Frame>,
@@ -165,6 +167,7 @@ impl Stage {
         let picture = Picture {
             plant: scene.plant,
             look: &scene.look,
+            show: scene.show,
             mesh: page.mesh(),
             cells,
             camera: page.camera(),
@@ -191,6 +194,7 @@ impl Stage {
         let picture = Picture {
             plant: shown.scene.plant,
             look: &shown.scene.look,
+            show: shown.scene.show,
             mesh,
             cells: Some(Cells { generation, day, count, lists: shown.lists }),
             camera: &Camera::new(shown.scene.orbit),
@@ -233,6 +237,12 @@ impl Stage {
             renderer.set_body(&on_stage.body, &on_stage.geometry, picture.look);
             let look = Some(picture.look.clone());
             *handed = Handed { plant: Some(key), look, ..Handed::default() };
+        }
+        if handed.show != picture.show {
+            let diagram = picture.show.diagram(picture.plant, &on_stage.body.surface);
+            renderer.set_diagram(&diagram)?;
+            handed.show = picture.show;
+            handed.frame = None;
         }
         if let Some(cells) = &picture.cells
             && handed.day != Some((cells.generation, cells.day))

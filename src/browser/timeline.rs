@@ -2,7 +2,7 @@
 
 use super::app;
 use super::dom::{
-    Listener, find, on, set_attribute, set_flag, set_text, set_value, typed, watch_typing,
+    Listener, find, offer, on, set_attribute, set_flag, set_text, set_value, typed, watch_typing,
 };
 use crate::play::page::{Event, Page, State};
 use crate::play::playhead::SPEEDS;
@@ -25,7 +25,11 @@ impl Timeline {
         let slider: HtmlInputElement = find("day");
         let number: HtmlInputElement = find("day-number");
         let speed: HtmlSelectElement = find("speed");
-        offer_speeds(&speed);
+        speed.set_text_content(None);
+        for times in SPEEDS {
+            offer(&speed, &times.to_string(), &format!("{times}×"));
+        }
+        speed.set_value("1");
         let mut listeners = Vec::new();
         let hand = slider.clone();
         listeners.push(on(&slider, "input", move |_: web_sys::Event| {
@@ -112,19 +116,6 @@ impl Timeline {
         };
         set_text(&self.notice, &notice);
     }
-}
-
-fn offer_speeds(select: &HtmlSelectElement) {
-    select.set_text_content(None);
-    for speed in SPEEDS {
-        let text = format!("{speed}×");
-        if let Ok(option) =
-            web_sys::HtmlOptionElement::new_with_text_and_value(&text, &speed.to_string())
-        {
-            let _ = select.append_child(&option);
-        }
-    }
-    select.set_value("1");
 }
 
 /// The slider runs between the days, too; its arrow keys step by whole ones.

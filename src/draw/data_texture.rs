@@ -1,10 +1,12 @@
 //! Textures that hold records of four words for shaders to load.
 
 use super::DrawError;
-use bytemuck::Pod;
 
 /// Records in a row: the widest texture that WebGL2 promises. The shaders know it too.
 const ROW: u32 = 2048;
+
+/// Four words.
+pub const RECORD_BYTES: usize = 16;
 
 /// A texture of 16-byte records that grows when it must and is reused when it can.
 pub struct DataTexture {
@@ -18,17 +20,18 @@ impl DataTexture {
         DataTexture::with_rows(device, 1)
     }
 
-    /// Writes the records from the first texel on. Returns whether the texture had to be made anew,
-    /// so that bind groups with it are stale. Errors if the records need more rows than a texture
-    /// of the device has.
-    pub fn write<T: Pod>(
+    /// Writes records from the first texel on. Returns whether the texture had to be made anew, so
+    /// that bind groups with it are stale. Errors if the records need more rows than a texture of
+    /// the device has.
+    pub fn write(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
-        records: &[T],
+        records: &[u8],
     ) -> Result<bool, DrawError> {
-        const { assert!(size_of::<T>() == 16) };
-        let rows = (records.len() as u32).div_ceil(ROW);
+        debug_assert!(records.len().is_multiple_of(RECORD_BYTES));
+        let count = (records.len() / RECORD_BYTES) as u32;
+        let rows = count.div_ceil(ROW);
         let most = device.limits().max_texture_dimension_2d;
         if rows > most {
             return Err(DrawError::TooLarge { rows, most });
@@ -37,10 +40,10 @@ impl DataTexture {
         if grown {
             *self = DataTexture::with_rows(device, rows.next_power_of_two().min(most));
         }
-        let full_rows = records.len() as u32 / ROW;
-        let (full, rest) = records.split_at((full_rows * ROW) as usize);
-        self.write_rows(queue, 0, ROW, full_rows, bytemuck::cast_slice(full));
-        self.write_rows(queue, full_rows, rest.len() as u32, 1, bytemuck::cast_slice(rest));
+        let full_rows = count / ROW;
+        let (full, rest) = records.split_at((full_rows * ROW) as usize * RECORD_BYTES);
+        self.write_rows(queue, 0, ROW, full_rows, full);
+        self.write_rows(queue, full_rows, count % ROW, 1, rest);
         Ok(grown)
     }
 
@@ -67,7 +70,7 @@ impl DataTexture {
         target.origin.y = y;
         let layout = wgpu::TexelCopyBufferLayout {
             offset: 0,
-            bytes_per_row: Some(width * 16),
+            bytes_per_row: Some(width * RECORD_BYTES as u32),
             rows_per_image: None,
         };
         let size = wgpu::Extent3d { width, height, depth_or_array_layers: 1 };

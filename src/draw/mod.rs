@@ -8,6 +8,7 @@
 #![cfg_attr(not(target_arch = "wasm32"), allow(dead_code))]
 
 mod data_texture;
+mod diagram;
 mod geometry;
 mod occlusion;
 mod pipelines;

@@ -1,6 +1,7 @@
 //! The shaders, what is bound to them, and how each kind of thing is drawn.
 
 use super::geometry::{Corner, GroundCorner};
+use glam::Vec3;
 use wgpu::{BindGroupLayout, BindingType, ShaderStages, vertex_attr_array};
 
 pub const SAMPLES: u32 = 4;
@@ -11,11 +12,12 @@ pub struct Pipelines {
     pub scene_layout: BindGroupLayout,
     /// The shadow map.
     pub light_layout: BindGroupLayout,
-    /// The site lists.
+    /// The site lists, and the records of a diagram.
     pub sites_layout: BindGroupLayout,
     pub surface: wgpu::RenderPipeline,
     pub bare: wgpu::RenderPipeline,
     pub ground: wgpu::RenderPipeline,
+    pub lines: wgpu::RenderPipeline,
     pub shadow: wgpu::RenderPipeline,
 }
 
@@ -23,6 +25,7 @@ const CORNER: &[wgpu::VertexAttribute] = &vertex_attr_array![
     0 => Float32x3, 1 => Float32x3, 2 => Float32, 3 => Float32x2, 4 => Float32x2, 5 => Uint32
 ];
 const GROUND_CORNER: &[wgpu::VertexAttribute] = &vertex_attr_array![0 => Float32x2, 1 => Float32x2];
+const LINE: &[wgpu::VertexAttribute] = &vertex_attr_array![0 => Float32x3, 1 => Float32x3];
 
 impl Pipelines {
     /// `target`: the format of the canvas, not an sRGB one: the shaders encode by themselves.
@@ -52,12 +55,16 @@ impl Pipelines {
             ],
         );
         let words = texture(wgpu::TextureSampleType::Uint);
-        let sites_layout = layout(device, ShaderStages::FRAGMENT, &[words, words]);
+        let sites_layout = layout(device, ShaderStages::FRAGMENT, &[words, words, words]);
 
         let maker = Maker { device, shader: &shader };
         let lit = [Some(&scene_layout), Some(&light_layout), Some(&sites_layout)];
         let corner = buffer::<Corner>(CORNER);
         let ground_corner = buffer::<GroundCorner>(GROUND_CORNER);
+        let line = wgpu::VertexBufferLayout {
+            step_mode: wgpu::VertexStepMode::Instance,
+            ..buffer::<[Vec3; 2]>(LINE)
+        };
         let over = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
         let colour = |blend| {
             Some(wgpu::ColorTargetState {
@@ -75,6 +82,7 @@ impl Pipelines {
                 "vs_ground",
                 Some(("fs_ground", colour(over))),
             ),
+            lines: maker.make(&lit[..1], &line, "vs_line", Some(("fs_line", colour(None)))),
             shadow: maker.make(&lit[..1], &corner, "vs_shadow", None),
             scene_layout,
             light_layout,

@@ -1,14 +1,16 @@
 //! Holds what stands on the graphics card, and draws frames of it.
 
 use super::data_texture::DataTexture;
+use super::diagram;
 use super::geometry::{Geometry, materials, vein_lean};
 use super::pipelines::{DEPTH, Pipelines, SAMPLES};
 use super::scene::{SHADOW_SIDE, Scene};
 use super::{DrawError, Frame};
-use crate::mosaic::{Site, SiteLists};
-use crate::plants::Look;
+use crate::mosaic::SiteLists;
+use crate::plants::{Diagram, Look};
 use crate::surface::{Body, NO_TWIN};
 use bytemuck::Zeroable;
+use glam::Vec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
 /// Draws a body with its mosaic on a canvas.
@@ -26,6 +28,7 @@ pub struct Renderer {
     light_group: wgpu::BindGroup,
     heads: DataTexture,
     sites: DataTexture,
+    covering: DataTexture,
     sites_group: wgpu::BindGroup,
     screen: Option<Screen>,
     model: Option<Model>,
@@ -46,6 +49,8 @@ struct Model {
     ground_indices: wgpu::Buffer,
     ground_index_count: u32,
     ground_height: f32,
+    /// The lines of a diagram.
+    lines: Option<(wgpu::Buffer, u32)>,
     shadow_is_stale: bool,
 }
 
@@ -92,8 +97,8 @@ impl Renderer {
                 wgpu::BindingResource::Sampler(&sampler),
             ],
         );
-        let (heads, sites) = (DataTexture::new(&device), DataTexture::new(&device));
-        let sites_group = bind_sites(&device, &pipelines, &heads, &sites);
+        let [heads, sites, covering] = std::array::from_fn(|_| DataTexture::new(&device));
+        let sites_group = bind_sites(&device, &pipelines, [&heads, &sites, &covering]);
         Renderer {
             surface,
             config,
@@ -108,6 +113,7 @@ impl Renderer {
             light_group,
             heads,
             sites,
+            covering,
             sites_group,
             screen: None,
             model: None,
@@ -131,8 +137,22 @@ impl Renderer {
             self.scene.set_bare(number, colour, gloss);
         }
         self.model = Some(Model::new(&self.device, geometry));
+        self.scene.set_diagram(&Diagram::default());
         self.heads = DataTexture::new(&self.device);
-        self.sites_group = bind_sites(&self.device, &self.pipelines, &self.heads, &self.sites);
+        self.bind_sites();
+    }
+
+    /// Draws a diagram in place of the cells, or, when it is empty, the cells; call it after
+    /// `set_body`, which shows the cells. Errors if it does not fit into the textures of this device.
+    pub fn set_diagram(&mut self, diagram: &Diagram) -> Result<(), DrawError> {
+        if self.covering.write(&self.device, &self.queue, &diagram::pack(diagram))? {
+            self.bind_sites();
+        }
+        self.scene.set_diagram(diagram);
+        if let Some(model) = &mut self.model {
+            model.set_lines(&self.device, &diagram.lines);
+        }
+        Ok(())
     }
 
     /// Shows the cells of a day; call it after `set_body`. `mean_spacing_cm`: mean distance
@@ -140,11 +160,12 @@ impl Renderer {
     /// textures of this device; what was shown before may then be incomplete.
     pub fn set_sites(&mut self, lists: &SiteLists, mean_spacing_cm: f32) -> Result<(), DrawError> {
         self.scene.set_mean_spacing(mean_spacing_cm);
-        let heads_grew = self.heads.write(&self.device, &self.queue, &lists.heads)?;
-        let pairs: &[[Site; 2]] = bytemuck::cast_slice(&lists.sites);
-        let sites_grew = self.sites.write(&self.device, &self.queue, pairs)?;
+        let heads_grew =
+            self.heads.write(&self.device, &self.queue, bytemuck::cast_slice(&lists.heads))?;
+        let sites_grew =
+            self.sites.write(&self.device, &self.queue, bytemuck::cast_slice(&lists.sites))?;
         if heads_grew || sites_grew {
-            self.sites_group = bind_sites(&self.device, &self.pipelines, &self.heads, &self.sites);
+            self.bind_sites();
         }
         Ok(())
     }
@@ -157,6 +178,7 @@ impl Renderer {
             return;
         }
         (self.config.width, self.config.height) = size;
+        self.scene.set_size(size.0, size.1);
         self.surface.configure(&self.device, &self.config);
         let make =
             |format| target(&self.device, size, format, SAMPLES, wgpu::TextureUsages::empty());
@@ -211,6 +233,11 @@ impl Renderer {
                 pass.set_pipeline(&self.pipelines.bare);
                 pass.draw(model.surface_corners..model.all_corners, 0..1);
             }
+            if let Some((lines, count)) = &model.lines {
+                pass.set_pipeline(&self.pipelines.lines);
+                pass.set_vertex_buffer(0, lines.slice(..));
+                pass.draw(0..9, 0..*count);
+            }
             // From below the ground there is no shadow to see.
             if frame.eye.y > model.ground_height {
                 pass.set_pipeline(&self.pipelines.ground);
@@ -223,6 +250,11 @@ impl Renderer {
         self.queue.submit([encoder.finish()]);
         self.queue.present(canvas);
         Ok(())
+    }
+
+    fn bind_sites(&mut self) {
+        let textures = [&self.heads, &self.sites, &self.covering];
+        self.sites_group = bind_sites(&self.device, &self.pipelines, textures);
     }
 
     /// Gives the device up, as if the system had taken it: for tests of what comes then.
@@ -248,8 +280,19 @@ impl Model {
             ),
             ground_index_count: 3 * geometry.ground_triangles.len() as u32,
             ground_height: geometry.bounds.ground().y,
+            lines: None,
             shadow_is_stale: true,
         }
+    }
+
+    fn set_lines(&mut self, device: &wgpu::Device, lines: &[[Vec3; 2]]) {
+        // A buffer may not be empty.
+        self.lines = (!lines.is_empty()).then(|| {
+            let contents = bytemuck::cast_slice(lines);
+            let usage = wgpu::BufferUsages::VERTEX;
+            let descriptor = BufferInitDescriptor { label: None, contents, usage };
+            (device.create_buffer_init(&descriptor), lines.len() as u32)
+        });
     }
 }
 
@@ -310,17 +353,10 @@ fn target(
 fn bind_sites(
     device: &wgpu::Device,
     pipelines: &Pipelines,
-    heads: &DataTexture,
-    sites: &DataTexture,
+    textures: [&DataTexture; 3],
 ) -> wgpu::BindGroup {
-    bind(
-        device,
-        &pipelines.sites_layout,
-        &[
-            wgpu::BindingResource::TextureView(&heads.view),
-            wgpu::BindingResource::TextureView(&sites.view),
-        ],
-    )
+    let views = textures.map(|texture| wgpu::BindingResource::TextureView(&texture.view));
+    bind(device, &pipelines.sites_layout, &views)
 }
 
 /// A bind group whose bindings are numbered from 0.

@@ -1,7 +1,7 @@
 //! The numbers of a frame as the shaders read them.
 
 use super::{Frame, geometry::Bounds};
-use crate::plants::Look;
+use crate::plants::{Diagram, Look};
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3, Vec4};
 
@@ -24,6 +24,8 @@ pub struct Scene {
     look: Vec4,
     tissue: Vec4,
     ground: Vec4,
+    diagram: Vec4,
+    ink: Vec4,
     bare: [Vec4; BARE_MATERIALS],
 }
 
@@ -48,6 +50,18 @@ impl Scene {
     /// Mean distance between neighbouring cells, in centimetres.
     pub fn set_mean_spacing(&mut self, mean_spacing_cm: f32) {
         self.tissue.x = mean_spacing_cm.max(1e-6);
+    }
+
+    /// What covers the surface, and how a diagram's lines are drawn.
+    pub fn set_diagram(&mut self, diagram: &Diagram) {
+        self.diagram.x = flag(!diagram.colours.is_empty());
+        self.diagram.y = diagram.layers.len() as f32;
+        self.ink = linear(diagram.ink).extend(diagram.head);
+    }
+
+    /// Width and height of the canvas, in device pixels.
+    pub fn set_size(&mut self, width: u32, height: u32) {
+        (self.diagram.z, self.diagram.w) = (width as f32, height as f32);
     }
 
     pub fn set_frame(&mut self, frame: &Frame) {

@@ -28,7 +28,7 @@ pub const PLANT: Plant = Plant {
         ..mushroom::PLANT.recipe
     },
     first_day: 30,
-    controls: veil,
+    controls: Some(veil),
     ..mushroom::PLANT
 };
 

@@ -22,7 +22,7 @@ pub const PLANT: Plant = Plant {
         // Individuals have from 7,800 to 8,100 cells.
         ..cactus::PLANT.recipe
     },
-    controls: belts,
+    controls: Some(belts),
     ..cactus::PLANT
 };
 

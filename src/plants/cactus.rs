@@ -49,8 +49,8 @@ pub const PLANT: Plant = Plant {
     view: View { azimuth_deg: 0.0, elevation_deg: 14.0, zoom: 1.05 },
     mesh: mesh_file!("cactus.obj"),
     body: grow_body,
-    controls: Vec::new,
-    field: |_| None,
+    controls: None,
+    field: None,
     unfolding_days: &[],
 };
 

@@ -49,8 +49,8 @@ pub const PLANT: Plant = Plant {
     view: View { azimuth_deg: 0.0, elevation_deg: 24.0, zoom: 1.0 },
     mesh: mesh_file!("croton.obj"),
     body: grow_body,
-    controls: young_leaves,
-    field: |_| None,
+    controls: Some(young_leaves),
+    field: None,
     unfolding_days: &[],
 };
 

@@ -19,7 +19,7 @@ pub const PLANT: Plant = Plant {
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 16.0, zoom: 1.08 },
     mesh: mesh_file!("long_watermelon.obj"),
-    controls: stripes,
+    controls: Some(stripes),
     ..watermelon::PLANT
 };
 

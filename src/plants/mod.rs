@@ -18,6 +18,7 @@ mod bodies;
 mod cactus;
 mod croton;
 mod croton_shrub;
+mod diagram;
 mod long_watermelon;
 mod mushroom;
 pub mod original;
@@ -25,12 +26,15 @@ mod philodendron;
 mod philodendron_shoot;
 mod red_croton;
 mod sansevieria;
+mod show;
 mod spikes;
 mod square_watermelon;
 mod watermelon;
 
 use crate::surface::{Body, DirectionField, Group, Mesh, ObjError, PolygonMesh, SurfaceError};
 use crate::tissue::{Control, Growth, Recipe, RecipeError};
+pub use diagram::{Diagram, Layer};
+pub use show::Show;
 use std::sync::Arc;
 
 /// A plant of the playground.
@@ -53,9 +57,10 @@ pub struct Plant {
     pub mesh: MeshFile,
     /// Grows the body from the text of its mesh file.
     pub body: fn(obj: &str) -> Result<Body, BodyError>,
-    pub controls: fn() -> Vec<Control>,
-    /// The direction field of its surface, if it has one.
-    pub field: fn(&Mesh) -> Option<DirectionField>,
+    /// Paints its control images, if it has some.
+    pub controls: Option<fn() -> Vec<Control>>,
+    /// Leads the direction field over its surface, if it has one.
+    pub field: Option<fn(&Mesh) -> DirectionField>,
     /// The day on which each part of the body unfolds, in their order; those that are not named are
     /// there from day 0.
     pub unfolding_days: &'static [u32],
@@ -70,13 +75,18 @@ impl Plant {
         recipe: Recipe,
         individual: u32,
     ) -> Result<Growth, RecipeError> {
-        let field = (self.field)(&surface);
-        let growth = Growth::new(surface, recipe, &(self.controls)(), individual)?
+        let field = self.field.map(|lead| lead(&surface));
+        let growth = Growth::new(surface, recipe, &self.controls(), individual)?
             .unfolding(self.unfolding_days);
         Ok(match field {
             Some(field) => growth.along(field),
             None => growth,
         })
+    }
+
+    /// Its control images, painted anew, in the order in which they are asked.
+    pub fn controls(&self) -> Vec<Control> {
+        self.controls.map(|paint| paint()).unwrap_or_default()
     }
 }
 
@@ -207,6 +217,7 @@ mod tests {
         for plant in all() {
             assert!(std::ptr::eq(find(plant.key).unwrap(), plant));
             plant.recipe.check().unwrap();
+            assert_eq!(plant.field.is_some(), plant.recipe.anisotropy > 0.0, "{}", plant.key);
             assert!(plant.first_day <= plant.recipe.days, "{}", plant.key);
             let body = plant.embedded_body();
             body.surface.check().unwrap();
@@ -218,37 +229,6 @@ mod tests {
             }
         }
         assert!(find("nettle").is_none());
-    }
-
-    #[test]
-    fn a_direction_field_has_weight_and_m_cells_have_a_name() {
-        for plant in all() {
-            let surface = plant.embedded_body().surface;
-            let has_field = (plant.field)(&surface).is_some();
-            assert_eq!(plant.recipe.anisotropy > 0.0, has_field, "{}", plant.key);
-            let growth = plant.sow(Arc::new(surface), plant.recipe.clone(), 1).unwrap();
-            let first = growth.diary.lineage.iter().any(|cell| cell.kind == CellType::Middle);
-            let born = (0..2).any(|from| plant.recipe.mutation[from][2] > 0.0);
-            assert_eq!(!plant.colour_names[2].is_empty(), first || born, "{}", plant.key);
-        }
-    }
-
-    #[test]
-    fn a_red_croton_has_red_from_yellow_and_yellow_from_green() {
-        let plant = find("red-croton").unwrap();
-        let mesh = Arc::new(plant.embedded_body().surface);
-        let recipe = Recipe { days: 24, ..plant.recipe.clone() };
-        let mut growth = plant.sow(mesh, recipe, 1).unwrap();
-        while growth.step() != Progress::Done {}
-        let diary = &growth.diary;
-        assert_eq!(diary.count(0).by_type[2], 0, "no first cell is red");
-        let mut born_of = [[0; 3]; 3];
-        for cell in diary.lineage.iter().filter(|cell| cell.born_day > 0) {
-            born_of[diary.lineage[cell.parent as usize].kind as usize][cell.kind as usize] += 1;
-        }
-        let [[_, fb, fm], [bf, _, bm], [mf, mb, mm]] = born_of;
-        assert_eq!([fb, bm, mf, mb], [0; 4], "{born_of:?}");
-        assert!(fm > 200 && bf > 200 && mm > 200, "{born_of:?}");
     }
 
     #[test]
@@ -322,7 +302,7 @@ mod tests {
     #[test]
     fn a_snake_plant_has_clean_margins_and_bands_within() {
         let mesh = surface("sansevieria");
-        let controls = (find("sansevieria").unwrap().controls)();
+        let controls = find("sansevieria").unwrap().controls();
         let mut shares = [0.0; 3];
         for triangle in 0..mesh.triangles.len() as u32 {
             let kind = first_type(&mesh, &controls, triangle);
@@ -364,7 +344,7 @@ mod tests {
             ("amanita", 0.7),
         ] {
             let mesh = surface(key);
-            let controls = (find(key).unwrap().controls)();
+            let controls = find(key).unwrap().controls();
             for control in &controls {
                 let Wrap::Cylinder(Cylinder { axis, zero, .. }) = control.wrap else { continue };
                 assert!((axis.length() - 1.0).abs() < 1e-6);

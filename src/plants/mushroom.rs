@@ -53,8 +53,8 @@ pub const PLANT: Plant = Plant {
     view: View { azimuth_deg: 0.0, elevation_deg: 15.0, zoom: 1.08 },
     mesh: mesh_file!("mushroom.obj"),
     body: grow_body,
-    controls: warts,
-    field: |_| None,
+    controls: Some(warts),
+    field: None,
     unfolding_days: &[],
 };
 

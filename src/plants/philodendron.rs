@@ -52,8 +52,8 @@ pub const PLANT: Plant = Plant {
     view: View { azimuth_deg: 0.0, elevation_deg: 12.0, zoom: 0.98 },
     mesh: mesh_file!("philodendron.obj"),
     body: grow_body,
-    controls: blaze,
-    field: |surface| Some(side_veins(surface)),
+    controls: Some(blaze),
+    field: Some(side_veins),
     unfolding_days: &[],
 };
 

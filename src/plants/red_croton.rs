@@ -29,6 +29,30 @@ pub const PLANT: Plant = Plant {
         cells: [[0.93, 0.76, 0.2], [0.122, 0.353, 0.165], [0.72, 0.16, 0.14]],
         ..croton::PLANT.look
     },
-    controls: Vec::new,
+    controls: None,
     ..croton::PLANT
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tissue::Progress;
+    use std::sync::Arc;
+
+    #[test]
+    fn red_is_born_of_yellow_and_yellow_of_green() {
+        let mesh = Arc::new(PLANT.embedded_body().surface);
+        let recipe = Recipe { days: 24, ..PLANT.recipe };
+        let mut growth = PLANT.sow(mesh, recipe, 1).unwrap();
+        while growth.step() != Progress::Done {}
+        let diary = &growth.diary;
+        assert_eq!(diary.count(0).by_type[2], 0, "no first cell is red");
+        let mut born_of = [[0; 3]; 3];
+        for cell in diary.lineage.iter().filter(|cell| cell.born_day > 0) {
+            born_of[diary.lineage[cell.parent as usize].kind as usize][cell.kind as usize] += 1;
+        }
+        let [[_, fb, fm], [bf, _, bm], [mf, mb, mm]] = born_of;
+        assert_eq!([fb, bm, mf, mb], [0; 4], "{born_of:?}");
+        assert!(fm > 200 && bf > 200 && mm > 200, "{born_of:?}");
+    }
+}

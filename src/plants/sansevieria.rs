@@ -45,8 +45,8 @@ pub const PLANT: Plant = Plant {
     view: View { azimuth_deg: 0.0, elevation_deg: 14.0, zoom: 0.97 },
     mesh: mesh_file!("sansevieria.obj"),
     body: grow_body,
-    controls: margins_and_bands,
-    field: |_| None,
+    controls: Some(margins_and_bands),
+    field: None,
     unfolding_days: &[],
 };
 

@@ -12,7 +12,7 @@ pub const PLANT: Plant = Plant {
     source: "Thesis, Fig. 4.18",
     view: View { azimuth_deg: 33.0, elevation_deg: 24.0, zoom: 0.96 },
     mesh: mesh_file!("square_watermelon.obj"),
-    controls: stripes,
+    controls: Some(stripes),
     ..watermelon::PLANT
 };
 

@@ -44,8 +44,8 @@ pub const PLANT: Plant = Plant {
     view: View { azimuth_deg: 0.0, elevation_deg: 16.0, zoom: 1.0 },
     mesh: mesh_file!("watermelon.obj"),
     body: grow_body,
-    controls: stripes,
-    field: |_| None,
+    controls: Some(stripes),
+    field: None,
     unfolding_days: &[],
 };
 

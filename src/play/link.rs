@@ -6,7 +6,7 @@
 use super::camera::Orbit;
 use super::parameters::{PARAMETERS, Parameter};
 use super::scene::{FIRST_INDIVIDUAL, Scene};
-use crate::plants::Plant;
+use crate::plants::{Plant, Show};
 use glam::Vec2;
 use std::fmt::Write;
 
@@ -34,6 +34,9 @@ pub fn write(scene: &Scene) -> String {
     }
     if scene.noise {
         link.push_str("&noise=1");
+    }
+    if scene.show != preset.show {
+        let _ = write!(link, "&show={}", scene.show.key());
     }
     let orbit = scene.orbit.rounded();
     if orbit != preset.orbit.rounded() {
@@ -77,6 +80,7 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
                 "s" => whole(value).map(|n| scene.individual = n),
                 "d" => whole(value).map(|n| wished_day = Some(n)),
                 "noise" => switch(value).map(|on| scene.noise = on),
+                "show" => read_show(plant, value).map(|show| scene.show = show),
                 "view" => read_orbit(value).map(|orbit| scene.orbit = orbit),
                 _ => read_parameter(&mut scene, key, value),
             }
@@ -109,6 +113,11 @@ fn read_parameter(scene: &mut Scene, key: &str, value: &str) -> Result<(), Strin
         return Err("this playground does not know it".to_string());
     };
     parameter.set(scene, number(value)?)
+}
+
+fn read_show(plant: &Plant, value: &str) -> Result<Show, String> {
+    let show = Show::of_key(value).filter(|show| show.is_of(plant));
+    show.ok_or_else(|| "this plant has nothing of that name to show".to_string())
 }
 
 fn read_orbit(value: &str) -> Result<Orbit, String> {
@@ -240,6 +249,25 @@ mod tests {
                 "“ck=0.5” was left out: it must be a whole number.",
             ]
         );
+    }
+
+    #[test]
+    fn what_is_shown_comes_back_where_the_plant_has_it() {
+        for plant in crate::plants::all() {
+            for show in Show::offered(plant) {
+                let scene = Scene { show, ..Scene::preset(plant, 2) };
+                let link = write(&scene);
+                assert_eq!(link.contains("show="), show != Show::Cells, "{link}");
+                let opened = read(&link, crate::plants::all());
+                assert_eq!((opened.scene.show, opened.left_out), (show, Vec::new()), "{link}");
+            }
+        }
+        for pair in ["show=field-x", "show=bones", "show="] {
+            let opened = read(&format!("croton?v=1&{pair}"), crate::plants::all());
+            assert_eq!(opened.scene.show, Show::Cells);
+            let told = "was left out: this plant has nothing of that name to show.";
+            assert_eq!(opened.left_out, [format!("“{pair}” {told}")]);
+        }
     }
 
     #[test]

@@ -12,7 +12,7 @@ use super::protocol::{BUILD, ToPage, ToWorker};
 use super::run::{DayFacts, End, Run};
 use super::scene::Scene;
 use super::words;
-use crate::plants::Plant;
+use crate::plants::{Plant, Show};
 use glam::Vec2;
 
 /// What can happen to the page.
@@ -33,6 +33,8 @@ pub enum Event {
     ResetParameters,
     /// Perlin noise in the place of the cells' own types, or not.
     Noise(bool),
+    /// Something else is to be seen on the body.
+    Show(Show),
     /// A day is wished.
     Seek(u32),
     /// Days on (or back) from the wished one.
@@ -254,12 +256,10 @@ impl Page {
 
     /// The picture in words: `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
     pub fn description(&self) -> String {
-        match &self.shown.day {
-            Some(day) => {
-                let noise = if self.run.scene.noise { ", Perlin noise" } else { "" };
-                words::describe(self.scene.plant, self.shown.individual, day) + noise
-            }
-            None => format!("{}, individual {}", self.scene.plant.name, self.scene.individual),
+        let (scene, shown) = (&self.scene, &self.shown);
+        match &shown.day {
+            Some(day) => words::describe(&self.run.scene, shown.individual, day, scene.show),
+            None => format!("{}, individual {}", scene.plant.name, scene.individual),
         }
     }
 
@@ -294,12 +294,12 @@ impl Page {
                 }
             }
             Event::ResetParameters => {
-                let wished = self.wished_scene();
-                let preset = Scene::preset(wished.plant, wished.individual);
-                let day = wished.day.min(preset.recipe.days);
-                self.adopt(Scene { day, orbit: wished.orbit, ..preset }, effects);
+                let Scene { plant, individual, day, orbit, show, .. } = self.wished_scene();
+                let preset = Scene { orbit, show, ..Scene::preset(plant, individual) };
+                self.adopt(Scene { day: day.min(preset.recipe.days), ..preset }, effects);
             }
             Event::Noise(noise) => self.adopt(Scene { noise, ..self.wished_scene() }, effects),
+            Event::Show(show) => self.adopt(Scene { show, ..self.wished_scene() }, effects),
             Event::Seek(day) => self.playhead.seek(day.min(last_day), newest),
             Event::StepDays(by) => {
                 let day = self.playhead.wished_day().saturating_add_signed(by);

@@ -60,8 +60,7 @@ impl Parameter {
         match self.needs {
             Needs::Nothing => true,
             Needs::Middle => !plant.colour_names[2].is_empty(),
-            // Plants with a field give it weight.
-            Needs::Field => plant.recipe.anisotropy > 0.0,
+            Needs::Field => plant.field.is_some(),
         }
     }
 

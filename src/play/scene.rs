@@ -3,7 +3,7 @@
 
 use super::camera::Orbit;
 use super::link;
-use crate::plants::{Look, Plant};
+use crate::plants::{Look, Plant, Show};
 use crate::surface::Mesh;
 use crate::tissue::{Growth, Noise, Recipe, RecipeError};
 use std::sync::Arc;
@@ -25,6 +25,8 @@ pub struct Scene {
     pub noise: bool,
     /// The colours of the plant with the visitor's changes.
     pub look: Look,
+    /// What is seen on the body; the plant has it.
+    pub show: Show,
     pub orbit: Orbit,
 }
 
@@ -38,6 +40,7 @@ impl Scene {
             recipe: plant.recipe.clone(),
             noise: false,
             look: plant.look.clone(),
+            show: Show::Cells,
             orbit: Orbit::of(&plant.view),
         }
     }

@@ -1,20 +1,20 @@
 //! Small plants for the tests of this room, so that they need no catalogue and grow in no time.
 
 use crate::plants::{BodyError, Look, MeshFile, Plant, View};
-use crate::surface::{Body, Face, PolygonMesh};
+use crate::surface::{Body, DirectionField, Face, Guide, Mesh, PolygonMesh};
 use crate::tissue::Recipe;
 use glam::Vec3;
 
-/// Two plants of one square sheet each; the first has M cells and says how much its field weighs.
+/// Two plants of one square sheet each; the first has M cells and a direction field.
 pub const PLANTS: &[Plant] =
-    &[plant("leaf", "Leaf", 6, "red", 0.25), plant("fruit", "Fruit", 4, "", 0.0)];
+    &[plant("leaf", "Leaf", 6, "red", Some(eastwards)), plant("fruit", "Fruit", 4, "", None)];
 
 const fn plant(
     key: &'static str,
     name: &'static str,
     days: u32,
     middle: &'static str,
-    anisotropy: f32,
+    field: Option<fn(&Mesh) -> DirectionField>,
 ) -> Plant {
     Plant {
         key,
@@ -30,7 +30,6 @@ const fn plant(
             adhesion: [[0.5, 0.0, 0.0], [0.0, 0.8, 0.0], [0.0, 0.0, 0.0]],
             radius_scale: 1.0,
             repulsion: 0.09,
-            anisotropy,
             initial_relaxations: 3,
             relaxations_per_day: 2,
             days,
@@ -49,8 +48,8 @@ const fn plant(
         view: View { azimuth_deg: 0.0, elevation_deg: 20.0, zoom: 1.0 },
         mesh: MeshFile { name: key, text: "" },
         body: sheet,
-        controls: Vec::new,
-        field: |_| None,
+        controls: None,
+        field,
         unfolding_days: &[],
     }
 }
@@ -65,4 +64,9 @@ fn sheet(_: &str) -> Result<Body, BodyError> {
         .collect();
     let polygons = PolygonMesh { positions, faces, ..PolygonMesh::default() };
     Ok(Body::new(&polygons)?)
+}
+
+fn eastwards(mesh: &Mesh) -> DirectionField {
+    let guide = Guide { triangle: 0, direction: Vec3::X };
+    DirectionField::new(mesh, &[guide], 1.0).expect("one control vector")
 }

@@ -5,6 +5,7 @@ use super::protocol::{ToPage, ToWorker};
 use super::testing::PLANTS;
 use super::worker::Worker;
 use super::{End, link};
+use crate::plants::Show;
 use crate::tissue::Progress;
 use std::sync::Arc;
 
@@ -229,6 +230,23 @@ fn parameters_regrow_or_not_and_can_be_undone() {
     assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=2");
     all.hear(Event::Change { key: "df", value: 0.1 });
     assert_eq!(all.told, ["Days between divisions, yellow: it must be from 1.5 to 200 days."]);
+}
+
+#[test]
+fn what_is_shown_never_grows_and_can_be_undone() {
+    // These plants have nothing to show but cells; the page takes what it is told.
+    let mut all = Together::open("#leaf?v=1&s=1&d=2");
+    all.finish();
+    all.hear(Event::Show(Show::ControlImages));
+    assert_eq!((all.wishes, all.page.state()), (1, State::Ready));
+    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=2&show=controls");
+    assert!(all.said.last().unwrap().ends_with("% yellow. Control images"), "{:?}", all.said);
+    all.hear(Event::ResetParameters);
+    assert_eq!(all.page.scene().show, Show::ControlImages);
+    all.hear(Event::Undo);
+    assert_eq!(all.page.scene().show, Show::Cells);
+    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=2");
+    assert_eq!(all.wishes, 1);
 }
 
 #[test]

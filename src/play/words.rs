@@ -2,20 +2,25 @@
 
 use super::page::ShownDay;
 use super::run::Run;
-use crate::plants::Plant;
+use super::scene::Scene;
+use crate::plants::{Plant, Show};
 use crate::tissue::Recipe;
 
-/// `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
-pub fn describe(plant: &Plant, individual: u32, day: &ShownDay) -> String {
+/// `Croton, individual 7, day 12: 31,402 cells, 38% yellow`; then whether the colours are noise, and
+/// what is seen in place of the cells: `, Perlin noise. Control images`.
+pub fn describe(scene: &Scene, individual: u32, day: &ShownDay, show: Show) -> String {
+    let Scene { plant, noise, .. } = scene;
     let count = day.facts.count;
     format!(
-        "{}, individual {individual}, day {}: {} {}, {} {}",
+        "{}, individual {individual}, day {}: {} {}, {} {}{}{}",
         plant.name,
         day.day,
         grouped(count.cells),
         if count.cells == 1 { "cell" } else { "cells" },
         share(count.by_type[0], count.cells),
-        plant.colour_names[0]
+        plant.colour_names[0],
+        if *noise { ", Perlin noise" } else { "" },
+        if show == Show::Cells { String::new() } else { format!(". {}", show.name()) }
     )
 }
 

@@ -2,13 +2,13 @@
 //! the Voronoi polygon, by spade, that the ray through them meets.
 
 use crate::page::{Graphics, Page, Picture};
+use crate::rays::Rays;
 use clonal_mosaic::mosaic::{Piece, polygons};
 use clonal_mosaic::plants;
-use clonal_mosaic::play::camera::{Camera, Sphere};
 use clonal_mosaic::play::link;
-use clonal_mosaic::surface::{Body, Charts};
+use clonal_mosaic::surface::Charts;
 use clonal_mosaic::tissue::{CellType, Progress};
-use glam::{Mat4, Vec2, Vec3};
+use glam::Vec2;
 use std::sync::Arc;
 
 /// Red and cream can be told apart in every light.
@@ -70,18 +70,16 @@ fn painted([red, green, _]: [u8; 3]) -> Option<CellType> {
 
 /// The same scene by the second method.
 struct Polygons {
-    body: Body,
+    rays: Rays,
     /// The pieces of each triangle, with their cells' types.
     pieces: Vec<Vec<(Piece, CellType)>>,
-    from_clip: Mat4,
-    size: Vec2,
 }
 
 impl Polygons {
     fn grow(picture: &Picture) -> Polygons {
         let scene = link::read(LINK, plants::all()).scene;
-        let body = scene.plant.embedded_body();
-        let mesh = Arc::new(body.surface.clone());
+        let rays = Rays::of(&scene, picture);
+        let mesh = Arc::new(rays.body.surface.clone());
         let mut growth =
             scene.plant.sow(mesh.clone(), scene.recipe.clone(), scene.individual).unwrap();
         while growth.step() != Progress::Day(scene.day) {}
@@ -92,62 +90,19 @@ impl Polygons {
             let kind = growth.diary.lineage[piece.cell as usize].kind;
             pieces[piece.triangle as usize].push((piece, kind));
         }
-        let camera = Camera::new(scene.orbit);
-        let (width, height) = (picture.width as u32, picture.height as u32);
-        let view_projection = camera.view_projection(&Sphere::around(&body), width, height);
-        let size = Vec2::new(width as f32, height as f32);
-        Polygons { body, pieces, from_clip: view_projection.inverse(), size }
+        Polygons { rays, pieces }
     }
 
     /// The type of the cell that is seen through a point of the picture, in pixels; none where
     /// something else is seen.
     fn kind_at(&self, pixel: Vec2) -> Option<CellType> {
-        let clip = (pixel / self.size * 2.0 - Vec2::ONE) * Vec2::new(1.0, -1.0);
-        let near = self.from_clip.project_point3(clip.extend(0.0));
-        let far = self.from_clip.project_point3(clip.extend(1.0));
-        let mesh = &self.body.surface;
-        let surface = nearest_hit(near, far, &mesh.positions, &mesh.triangles)?;
-        let hidden = self.body.ornaments.iter().any(|ornament| {
-            nearest_hit(near, far, &ornament.positions, &ornament.triangles)
-                .is_some_and(|hit| hit.time < surface.time)
-        });
-        if hidden {
-            return None;
-        }
-        let at = mesh.frames[surface.triangle].point(surface.b1, surface.b2);
+        let place = self.rays.surface_at(pixel)?;
+        let triangle = place.triangle as usize;
+        let at = self.rays.body.surface.frames[triangle].point(place.b1, place.b2);
         let holds = |piece: &Piece| {
             let next = piece.corners.iter().cycle().skip(1);
             piece.corners.iter().zip(next).all(|(&a, &b)| (b - a).perp_dot(at - a) >= 0.0)
         };
-        self.pieces[surface.triangle].iter().find(|(piece, _)| holds(piece)).map(|&(_, kind)| kind)
+        self.pieces[triangle].iter().find(|(piece, _)| holds(piece)).map(|&(_, kind)| kind)
     }
-}
-
-/// Where a ray meets a triangle: how far along it, and the barycentric coordinates.
-struct Hit {
-    time: f32,
-    triangle: usize,
-    b1: f32,
-    b2: f32,
-}
-
-/// The first triangle on the way between two points (Moeller and Trumbore 1997).
-fn nearest_hit(from: Vec3, to: Vec3, positions: &[Vec3], triangles: &[[u32; 3]]) -> Option<Hit> {
-    let way = to - from;
-    let mut nearest: Option<Hit> = None;
-    for (triangle, corners) in triangles.iter().enumerate() {
-        let [a, b, c] = corners.map(|v| positions[v as usize]);
-        let (edge1, edge2) = (b - a, c - a);
-        let across = way.cross(edge2);
-        let volume = edge1.dot(across);
-        let b1 = (from - a).dot(across) / volume;
-        let other = (from - a).cross(edge1);
-        let b2 = way.dot(other) / volume;
-        let time = edge2.dot(other) / volume;
-        let inside = b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0;
-        if inside && time > 0.0 && nearest.as_ref().is_none_or(|hit| time < hit.time) {
-            nearest = Some(Hit { time, triangle, b1, b2 });
-        }
-    }
-    nearest
 }

@@ -6,7 +6,7 @@ use serde_json::json;
 const LINK: &str = "#watermelon?v=1&s=2&d=3";
 
 /// The controls that nobody may miss.
-const CONTROLS: [&str; 10] = [
+const CONTROLS: [&str; 11] = [
     "day",
     "day-number",
     "play",
@@ -16,6 +16,7 @@ const CONTROLS: [&str; 10] = [
     "on",
     "another",
     "individual",
+    "show",
     "copy-link",
 ];
 

@@ -135,7 +135,7 @@ impl Subject {
         }
         let mut all = Expected::default();
         for (age, first_cells) in by_age {
-            let of_age = expected_cells(recipe, &(plant.controls)(), first_cells, age as usize)?;
+            let of_age = expected_cells(recipe, &plant.controls(), first_cells, age as usize)?;
             all.mean += of_age.mean;
             all.variance += of_age.variance;
         }

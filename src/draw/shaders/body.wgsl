@@ -65,6 +65,15 @@ fn fs_body(in: Fragment, @builtin(front_facing) front: bool) -> @location(0) vec
     let outward = normalize(in.normal);
     var normal = select(-outward, outward, front);
 
+    if scene.diagram.x + scene.diagram.y > 0.0 {
+        var covering = triangle_colour(in.number);
+        if scene.diagram.y > 0.0 {
+            covering = layers_colour(in.world, world_dx, world_dy, in.uv, uv_dx, uv_dy);
+        }
+        // Matt, so that colours can be read.
+        let light = shade(Surface(in.world, normal, covering, 0.0, in.openness, 0.0));
+        return to_screen(light, in.clip);
+    }
     let tiles = mosaic(in.number, in.plane, place_dx, place_dy);
     var colour = tiles.colour;
     let plane = gradients(normal, world_dx, world_dy, place_dx, place_dy);

@@ -18,6 +18,11 @@ struct Scene {
     tissue: vec4f,
     // Centre on the ground, and radius of the ground disc.
     ground: vec4f,
+    // What covers the surface in place of the mosaic: colours of triangles (0 or 1), number of
+    // layers. Width and height of the canvas in pixels.
+    diagram: vec4f,
+    // Colour of a diagram's lines, and the share of a line that is an arrow's head.
+    ink: vec4f,
     // Colours of the bare materials. w: gloss.
     bare: array<vec4f, 16>,
 }

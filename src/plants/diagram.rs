@@ -1,0 +1,216 @@
+//! Drawings on a body in place of its cells: the direction field, and the control images with their
+//! cylinders.
+
+use super::{Plant, Show};
+use crate::surface::{ControlImage, Cylinder, DirectionField, Mesh, Wrap};
+use crate::tissue::{Control, Use};
+use glam::{Vec2, Vec3};
+use std::f32::consts::TAU;
+
+/// What is drawn on a body in place of its cells: colours or layers, and lines. Without colours and
+/// layers the cells are seen.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Diagram {
+    /// The sRGB colour of each triangle; the fourth byte is nothing.
+    pub colours: Vec<[u8; 4]>,
+    /// Grey, place by place: white, and then what each layer makes of it.
+    pub layers: Vec<Layer>,
+    /// Thin lines in space, from point to point, and their colour, sRGB.
+    pub lines: Vec<[Vec3; 2]>,
+    pub ink: [f32; 3],
+    /// Share of a line that is an arrow's head at its end; 0 for none.
+    pub head: f32,
+}
+
+/// A control image on a body: black, it turns the grey `from` into the grey `to`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    pub wrap: Wrap,
+    pub image: ControlImage,
+    pub from: f32,
+    pub to: f32,
+}
+
+/// Dry ink on pale paper for arrows; for cylinders red pencil, which is seen on black and white.
+const PAPER: [u8; 4] = [222, 216, 196, 0];
+const INK: [f32; 3] = [0.16, 0.2, 0.12];
+const PENCIL: [f32; 3] = [0.85, 0.22, 0.1];
+
+impl Show {
+    /// The drawing that it is, empty for cells and for what the plant does not have. `mesh`: the
+    /// plant's surface. Takes as long as a direction field or control images take to make: a few
+    /// milliseconds.
+    pub fn diagram(self, plant: &Plant, mesh: &Mesh) -> Diagram {
+        match (self, plant.field) {
+            (Show::Cells, _) => Diagram::default(),
+            (Show::ControlImages, _) => images(mesh, plant.controls()),
+            (_, Some(lead)) => directions(self, mesh, &lead(mesh)),
+            (_, None) => Diagram::default(),
+        }
+    }
+}
+
+/// The direction field: an arrow on each triangle, or its angle with an axis as the triangle's
+/// colour. Triangles without direction are bare paper.
+fn directions(show: Show, mesh: &Mesh, field: &DirectionField) -> Diagram {
+    let count = mesh.triangles.len();
+    // So long that those of neighbours that point the same way do not run into each other.
+    let length_cm = 0.9 * (mesh.area / count as f32).sqrt();
+    let mut colours = vec![PAPER; count];
+    let mut lines = Vec::new();
+    for triangle in 0..count as u32 {
+        let flat = field.at(triangle);
+        if flat == Vec2::ZERO {
+            continue;
+        }
+        let [x, y] = mesh.axes(triangle);
+        let along = x * flat.x + y * flat.y;
+        let cosine = match show {
+            Show::FieldX => along.x,
+            Show::FieldY => along.y,
+            Show::FieldZ => along.z,
+            _ => {
+                let (centre, half) = (mesh.centroid(triangle), along * (0.5 * length_cm));
+                lines.push([centre - half, centre + half]);
+                continue;
+            }
+        };
+        colours[triangle as usize] = hue_of_angle(cosine);
+    }
+    Diagram { colours, lines, ink: INK, head: 0.4, ..Diagram::default() }
+}
+
+/// The colour whose hue in HSV is the angle, given by its cosine: red along (0 degrees),
+/// yellow-green across (90), cyan against (180) (Thesis 3.2.4). Not as bright as can be, so that light
+/// and shade are seen on it.
+fn hue_of_angle(cosine: f32) -> [u8; 4] {
+    let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+    let sixths = libm::atan2f(sine, cosine) / (TAU / 6.0);
+    let byte = |x: f32| (x.clamp(0.0, 1.0) * 216.0) as u8;
+    [byte(2.0 - sixths), byte(sixths), byte(sixths - 2.0), 0]
+}
+
+/// What the images leave of a first F cell, white for F, grey for M, black for B; and the cylinders.
+fn images(mesh: &Mesh, controls: Vec<Control>) -> Diagram {
+    let mut cylinders = Vec::new();
+    let mut layers = Vec::new();
+    for Control { wrap, image, use_as } in controls {
+        if let Wrap::Cylinder(cylinder) = wrap {
+            cylinders.push(cylinder);
+        }
+        let [from, to] = match use_as {
+            Use::FirstCells { of, instead } => [of, instead].map(|kind| GREYS[kind as usize]),
+            Use::Scale { .. } => [1.0, 0.0],
+        };
+        layers.push(Layer { wrap, image, from, to });
+    }
+    let mut lines = Vec::new();
+    for (cylinder, radius_cm) in cylinders.iter().zip(radii_cm(&cylinders, mesh)) {
+        draw_outline(cylinder, radius_cm, &mut lines);
+    }
+    Diagram { layers, lines, ink: PENCIL, ..Diagram::default() }
+}
+
+/// Of F, B and M.
+const GREYS: [f32; 3] = [1.0, 0.0, 0.5];
+
+/// How far each cylinder must reach to hold what it wraps: all points of the mesh at its heights that
+/// are nearer to its axis than to those of the others.
+fn radii_cm(cylinders: &[Cylinder], mesh: &Mesh) -> Vec<f32> {
+    let mut radii_cm = vec![0.0; cylinders.len()];
+    for &point in &mesh.positions {
+        let mut nearest = (f32::INFINITY, 0, 0.0);
+        for (number, cylinder) in cylinders.iter().enumerate() {
+            let from_base = point - cylinder.base;
+            let up_cm = from_base.dot(cylinder.axis);
+            let out_cm = (from_base - cylinder.axis * up_cm).length();
+            if out_cm < nearest.0 {
+                nearest = (out_cm, number, up_cm / cylinder.height);
+            }
+        }
+        let (out_cm, number, height) = nearest;
+        if let Some(radius_cm) = radii_cm.get_mut(number)
+            && (0.0..=1.0).contains(&height)
+        {
+            *radius_cm = out_cm.max(*radius_cm);
+        }
+    }
+    radii_cm
+}
+
+/// Bottom, top and axis of a cylinder, and the line where its images begin and end.
+fn draw_outline(cylinder: &Cylinder, radius_cm: f32, lines: &mut Vec<[Vec3; 2]>) {
+    const SEGMENTS: u32 = 72;
+    let Cylinder { base, axis, zero, height } = *cylinder;
+    let (up, side) = (axis * height, axis.cross(zero));
+    let mut from = base + zero * radius_cm;
+    lines.extend([[base - up * 0.06, base + up * 1.06], [from, from + up]]);
+    for k in 1..=SEGMENTS {
+        let (sin, cos) = libm::sincosf(k as f32 / SEGMENTS as f32 * TAU);
+        let to = base + (zero * cos + side * sin) * radius_cm;
+        lines.extend([[from, to], [from + up, to + up]]);
+        from = to;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plants::find;
+
+    #[test]
+    fn along_is_red_and_across_is_yellow_green() {
+        assert_eq!(hue_of_angle(1.0), [216, 0, 0, 0]);
+        assert_eq!(hue_of_angle(0.5), [216, 216, 0, 0]);
+        assert_eq!(hue_of_angle(0.0), [108, 216, 0, 0]);
+        assert_eq!(hue_of_angle(-0.5), [0, 216, 0, 0]);
+        assert_eq!(hue_of_angle(-1.0), [0, 216, 216, 0]);
+    }
+
+    #[test]
+    fn arrows_lie_on_their_triangles_along_the_field() {
+        let plant = find("philodendron").unwrap();
+        let mesh = plant.embedded_body().surface;
+        let field = (plant.field.unwrap())(&mesh);
+        let diagram = Show::FieldArrows.diagram(plant, &mesh);
+        assert_eq!(diagram.lines.len(), mesh.triangles.len());
+        for (triangle, &[from, to]) in (0..).zip(&diagram.lines) {
+            assert!(from.midpoint(to).distance(mesh.centroid(triangle)) < 1e-4);
+            let [x, y] = mesh.axes(triangle);
+            let along = field.at(triangle);
+            let way = (to - from).normalize();
+            assert!(way.distance(x * along.x + y * along.y) < 1e-3, "triangle {triangle}");
+        }
+    }
+
+    #[test]
+    fn cylinders_just_hold_what_they_wrap() {
+        let plant = find("watermelon").unwrap();
+        let mesh = plant.embedded_body().surface;
+        let [Control { wrap: Wrap::Cylinder(cylinder), .. }] = plant.controls()[..] else {
+            panic!("one cylinder");
+        };
+        let [radius_cm] = radii_cm(&[cylinder], &mesh)[..] else { panic!("one radius") };
+        let off_axis =
+            |p: &Vec3| (*p - cylinder.base).reject_from_normalized(cylinder.axis).length();
+        let farthest = mesh.positions.iter().map(off_axis).fold(0.0, f32::max);
+        assert!((radius_cm - farthest).abs() < 1e-4, "{radius_cm} cm for {farthest} cm");
+        for line in Show::ControlImages.diagram(plant, &mesh).lines {
+            assert!(line.iter().all(|p| off_axis(p) < radius_cm + 1e-3));
+        }
+
+        // Each fly agaric has a cylinder of its own, no wider than its cap.
+        let plant = find("amanita").unwrap();
+        let mesh = plant.embedded_body().surface;
+        let cylinders: Vec<Cylinder> = plant
+            .controls()
+            .iter()
+            .filter_map(|c| if let Wrap::Cylinder(c) = c.wrap { Some(c) } else { None })
+            .collect();
+        let radii_cm = radii_cm(&cylinders, &mesh);
+        assert!(
+            radii_cm.len() > 1 && radii_cm.iter().all(|r| (2.0..6.5).contains(r)),
+            "{radii_cm:?}"
+        );
+    }
+}
