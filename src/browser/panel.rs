@@ -7,7 +7,7 @@ use super::dom::{
 };
 use crate::play::page::{Event, Page};
 use crate::play::parameters::{PARAMETERS, Parameter};
-use web_sys::{Element, HtmlElement, HtmlInputElement};
+use web_sys::{Element, HtmlElement, HtmlInputElement, HtmlOptionElement, HtmlSelectElement};
 
 pub struct Panel {
     rows: Vec<Row>,
@@ -20,10 +20,14 @@ pub struct Panel {
 struct Row {
     parameter: &'static Parameter,
     element: HtmlElement,
-    range: HtmlInputElement,
-    number: HtmlInputElement,
+    input: Input,
     reset: HtmlElement,
     _listeners: Vec<Listener>,
+}
+
+enum Input {
+    Number { range: HtmlInputElement, number: HtmlInputElement },
+    Choice(HtmlSelectElement),
 }
 
 impl Panel {
@@ -56,66 +60,116 @@ impl Panel {
 
 impl Row {
     fn new(parameter: &'static Parameter, list: &Element) -> Row {
-        let element = copy_of_template("parameter-template");
-        let range: HtmlInputElement = within(&element, "input[type=range]");
-        let number: HtmlInputElement = within(&element, "input[type=number]");
-        let reset: HtmlElement = within(&element, "button");
+        let is_number = parameter.names.is_empty();
+        let element =
+            copy_of_template(if is_number { "parameter-template" } else { "choice-template" });
         let id = format!("parameter-{}", parameter.key);
         let hint = format!("{id}-hint");
-        range.set_id(&id);
         set_attribute(&within(&element, "label"), "for", &id);
         within::<Element>(&element, ".hint").set_id(&hint);
-        set_attribute(&range, "aria-describedby", &hint);
-        for input in [&range, &number] {
-            set_attribute(input, "min", parameter.range[0]);
-            set_attribute(input, "max", parameter.range[1]);
-        }
-        // Sliders count their steps from 0, so that they meet round numbers.
-        set_attribute(
-            &range,
-            "min",
-            (parameter.range[0] / parameter.step).floor() * parameter.step,
-        );
-        set_attribute(&range, "step", parameter.step);
-        set_attribute(&number, "step", "any");
-        set_text(&within(&element, ".unit"), parameter.unit);
         let cost = if parameter.regrows { "grows again from day 0" } else { "seen at once" };
         set_text(&within(&element, ".cost"), cost);
         set_flag(&element, "data-live", !parameter.regrows);
-        let change = |value: f64| app::send(Event::Change { key: parameter.key, value });
-        let (hand, field) = (range.clone(), number.clone());
-        let mut listeners = vec![
-            on(&range, "input", move |_: web_sys::Event| {
-                change(hand.value_as_number().max(parameter.range[0]));
-            }),
-            on(&number, "change", move |_: web_sys::Event| match typed(&field) {
-                Some(value) => change(value),
-                None => app::repaint(),
-            }),
-            on(&reset, "click", move |_: web_sys::Event| {
-                app::reset_parameter(parameter);
-            }),
-        ];
-        listeners.extend(watch_typing(&number));
+        let reset: HtmlElement = within(&element, "button");
+        let mut listeners = vec![on(&reset, "click", move |_: web_sys::Event| {
+            app::reset_parameter(parameter);
+        })];
+        let input = match is_number {
+            true => Input::number(parameter, &element, &mut listeners),
+            false => Input::choice(parameter, &element, &mut listeners),
+        };
+        set_attribute(input.main(), "id", &id);
+        set_attribute(input.main(), "aria-describedby", &hint);
         let _ = list.append_child(&element);
-        Row { parameter, element, range, number, reset, _listeners: listeners }
+        Row { parameter, element, input, reset, _listeners: listeners }
     }
 
-    /// Shows the value; true if it is not the preset's. `renamed`: the colours have other names.
+    /// Shows the value; true if it is not the preset's. `renamed`: the plant is another one.
     fn show(&self, page: &Page, renamed: bool) -> bool {
         let (parameter, scene) = (self.parameter, page.scene());
         if renamed {
+            set_flag(&self.element, "hidden", !parameter.is_for(scene.plant));
             let label = parameter.label(scene.plant);
             set_text(&within(&self.element, "label"), &label);
-            set_attribute(&self.number, "aria-label", format!("{label}, typed"));
             set_attribute(&self.reset, "aria-label", format!("{label}: back to the preset"));
             set_text(&within(&self.element, ".effect"), &parameter.effect(scene.plant));
+            if let Input::Number { number, .. } = &self.input {
+                set_attribute(number, "aria-label", format!("{label}, typed"));
+            }
         }
         let value = parameter.get(scene);
-        set_value(&self.range, value);
-        set_value(&self.number, value);
+        match &self.input {
+            Input::Number { range, number } => {
+                set_value(range, value);
+                set_value(number, value);
+            }
+            Input::Choice(select) => select.set_selected_index(value as i32),
+        }
         let changed = value != parameter.preset(scene.plant);
         set_flag(&self.reset, "disabled", !changed);
         changed
     }
+}
+
+impl Input {
+    /// A slider and a field to type in.
+    fn number(
+        parameter: &'static Parameter,
+        element: &Element,
+        listeners: &mut Vec<Listener>,
+    ) -> Input {
+        let range: HtmlInputElement = within(element, "input[type=range]");
+        let number: HtmlInputElement = within(element, "input[type=number]");
+        let [least, greatest] = parameter.range;
+        for input in [&range, &number] {
+            set_attribute(input, "min", least);
+            set_attribute(input, "max", greatest);
+        }
+        // Sliders count their steps from 0, so that they meet round numbers.
+        set_attribute(&range, "min", (least / parameter.step).floor() * parameter.step);
+        set_attribute(&range, "step", parameter.step);
+        set_attribute(&number, "step", "any");
+        set_text(&within(element, ".unit"), parameter.unit);
+        let (hand, field) = (range.clone(), number.clone());
+        listeners.push(on(&range, "input", move |_: web_sys::Event| {
+            change(parameter, hand.value_as_number().max(least));
+        }));
+        listeners.push(on(&number, "change", move |_: web_sys::Event| match typed(&field) {
+            Some(value) => change(parameter, value),
+            None => app::repaint(),
+        }));
+        listeners.extend(watch_typing(&number));
+        Input::Number { range, number }
+    }
+
+    /// A list of the names.
+    fn choice(
+        parameter: &'static Parameter,
+        element: &Element,
+        listeners: &mut Vec<Listener>,
+    ) -> Input {
+        let select: HtmlSelectElement = within(element, "select");
+        for name in parameter.names {
+            if let Ok(option) = HtmlOptionElement::new_with_text(name) {
+                let _ = select.append_child(&option);
+            }
+        }
+        let chosen = select.clone();
+        listeners.push(on(&select, "change", move |_: web_sys::Event| {
+            change(parameter, f64::from(chosen.selected_index()));
+        }));
+        Input::Choice(select)
+    }
+
+    /// The element that the label belongs to.
+    fn main(&self) -> &Element {
+        match self {
+            Input::Number { range, .. } => range,
+            Input::Choice(select) => select,
+        }
+    }
+}
+
+fn change(parameter: &'static Parameter, value: f64) {
+    app::send(Event::Change { key: parameter.key, value });
 }

@@ -100,7 +100,7 @@ fn images(mesh: &Mesh, controls: Vec<Control>) -> Diagram {
         }
         let [from, to] = match use_as {
             Use::FirstCells { of, instead } => [of, instead].map(|kind| GREYS[kind as usize]),
-            Use::DivisionDays { .. } => [1.0, 0.0],
+            Use::Scale { .. } => [1.0, 0.0],
         };
         layers.push(Layer { wrap, image, from, to });
     }

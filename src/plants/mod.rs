@@ -24,6 +24,7 @@ mod mushroom;
 pub mod original;
 mod philodendron;
 mod philodendron_shoot;
+mod red_croton;
 mod sansevieria;
 mod show;
 mod spikes;
@@ -44,7 +45,7 @@ pub struct Plant {
     /// English name: `Croton`.
     pub name: &'static str,
     pub latin: &'static str,
-    /// The picture of the thesis that it follows: `Thesis, Fig. 4.3`.
+    /// The picture, or else the rule, of the thesis that it follows: `Thesis, Fig. 4.3`.
     pub source: &'static str,
     /// What the colours of F, B and M are called: `["yellow", "green", ""]`.
     pub colour_names: [&'static str; 3],
@@ -146,7 +147,7 @@ pub struct View {
 
 /// All plants in the order of the chooser.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 12] = [
+    static ALL: [Plant; 13] = [
         croton::PLANT,
         cactus::PLANT,
         watermelon::PLANT,
@@ -155,6 +156,7 @@ pub fn all() -> &'static [Plant] {
         sansevieria::PLANT,
         square_watermelon::PLANT,
         croton_shrub::PLANT,
+        red_croton::PLANT,
         banded_cactus::PLANT,
         long_watermelon::PLANT,
         amanita::PLANT,
@@ -215,6 +217,7 @@ mod tests {
         for plant in all() {
             assert!(std::ptr::eq(find(plant.key).unwrap(), plant));
             plant.recipe.check().unwrap();
+            assert_eq!(plant.field.is_some(), plant.recipe.anisotropy > 0.0, "{}", plant.key);
             assert!(plant.first_day <= plant.recipe.days, "{}", plant.key);
             let body = plant.embedded_body();
             body.surface.check().unwrap();

@@ -297,8 +297,8 @@ mod tests {
     }
 
     #[test]
-    fn there_is_a_figure_for_every_plant() {
-        for plant in plants::all() {
+    fn there_is_a_figure_for_every_plant_of_one() {
+        for plant in plants::all().iter().filter(|plant| plant.source.contains("Fig.")) {
             let shown =
                 |figure: &&Figure| figure.pictures.iter().any(|p| scene(p).plant.key == plant.key);
             assert!(FIGURES.iter().any(|f| shown(&f)), "{}", plant.key);

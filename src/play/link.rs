@@ -183,6 +183,7 @@ fn decode(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::play::testing::PLANTS;
+    use crate::tissue::Clock;
 
     fn open(text: &str) -> Opened {
         read(text, PLANTS)
@@ -214,12 +215,40 @@ mod tests {
         for parameter in PARAMETERS {
             let mut scene = Scene::preset(&PLANTS[0], 9);
             let [least, greatest] = parameter.range;
-            parameter.set(&mut scene, least + 0.25 * (greatest - least)).expect(parameter.key);
+            let value = match parameter.names {
+                [] => least + 0.25 * (greatest - least),
+                _ => greatest,
+            };
+            parameter.set(&mut scene, value).expect(parameter.key);
             let opened = open(&write(&scene));
             assert_eq!(opened.left_out, [""; 0], "{}", parameter.key);
             assert!(opened.scene == scene, "{}", write(&scene));
             assert_eq!(opened.scene.recipe, scene.recipe);
         }
+    }
+
+    #[test]
+    fn three_types_come_back_together() {
+        let link = "leaf?v=1&s=3&d=3&pf=0.3&pm=0.6&dm=7&ck=1&fm=0.4&mfb=0.1&mfm=0.2&mmf=0.05&mmb=0.95\
+                    &an=0.5";
+        let opened = open(link);
+        assert_eq!(opened.left_out, [""; 0]);
+        assert_eq!(write(&opened.scene), link);
+        let recipe = &opened.scene.recipe;
+        assert_eq!((recipe.clock, recipe.anisotropy), (Clock::Exponential, 0.5));
+        assert_eq!(recipe.adhesion[2][0], 0.4);
+        assert_eq!(recipe.mutation[0][1..], [0.1, 0.2]);
+        assert_eq!(recipe.mutation[2][..2], [0.05, 0.95]);
+        assert_eq!(recipe.initial_probability[2], 0.6);
+        let told = open("fruit?v=1&pm=0.2&an=0.5&ck=0.5").left_out;
+        assert_eq!(
+            told,
+            [
+                "“pm=0.2” was left out: this plant has no use for it.",
+                "“an=0.5” was left out: this plant has no use for it.",
+                "“ck=0.5” was left out: it must be a whole number.",
+            ]
+        );
     }
 
     #[test]

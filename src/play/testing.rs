@@ -1,20 +1,27 @@
 //! Small plants for the tests of this room, so that they need no catalogue and grow in no time.
 
 use crate::plants::{BodyError, Look, MeshFile, Plant, View};
-use crate::surface::{Body, Face, PolygonMesh};
+use crate::surface::{Body, DirectionField, Face, Guide, Mesh, PolygonMesh};
 use crate::tissue::Recipe;
 use glam::Vec3;
 
-/// Two plants of one square sheet each.
-pub const PLANTS: &[Plant] = &[plant("leaf", "Leaf", 6), plant("fruit", "Fruit", 4)];
+/// Two plants of one square sheet each; the first has M cells and a direction field.
+pub const PLANTS: &[Plant] =
+    &[plant("leaf", "Leaf", 6, "red", Some(eastwards)), plant("fruit", "Fruit", 4, "", None)];
 
-const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
+const fn plant(
+    key: &'static str,
+    name: &'static str,
+    days: u32,
+    middle: &'static str,
+    field: Option<fn(&Mesh) -> DirectionField>,
+) -> Plant {
     Plant {
         key,
         name,
         latin: "Folium quadratum",
         source: "made for tests",
-        colour_names: ["yellow", "green", ""],
+        colour_names: ["yellow", "green", middle],
         recipe: Recipe {
             initial_cells: 100,
             initial_probability: [0.5, 0.5, 0.0],
@@ -42,7 +49,7 @@ const fn plant(key: &'static str, name: &'static str, days: u32) -> Plant {
         mesh: MeshFile { name: key, text: "" },
         body: sheet,
         controls: None,
-        field: None,
+        field,
         unfolding_days: &[],
     }
 }
@@ -57,4 +64,9 @@ fn sheet(_: &str) -> Result<Body, BodyError> {
         .collect();
     let polygons = PolygonMesh { positions, faces, ..PolygonMesh::default() };
     Ok(Body::new(&polygons)?)
+}
+
+fn eastwards(mesh: &Mesh) -> DirectionField {
+    let guide = Guide { triangle: 0, direction: Vec3::X };
+    DirectionField::new(mesh, &[guide], 1.0).expect("one control vector")
 }

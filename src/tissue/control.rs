@@ -2,7 +2,7 @@
 //! (Thesis 3.2.3). An image that leaves triangles without any pattern is the body's own business,
 //! `Body::bared`.
 
-use super::CellType;
+use super::{CellType, Recipe, RecipeError, Scaled};
 use crate::surface::{ControlImage, Mesh, Place, Wrap};
 
 /// A control image on a body and its use.
@@ -18,9 +18,10 @@ pub struct Control {
 pub enum Use {
     /// First cells of one type only where it is white: where it is black they are of the other.
     FirstCells { of: CellType, instead: CellType },
-    /// The mean days between the divisions of a type, times a factor that goes evenly from that of
-    /// black to that of white; what counts is where the cell is when its clock is wound.
-    DivisionDays { of: CellType, black: f64, white: f64 },
+    /// A number of the recipe, times a factor, 0 or more, that goes evenly from that of black to
+    /// that of white. Days between divisions go by where the cell is when its clock is wound; what
+    /// pushes a cell goes by the middle of the triangle that it is in (see `Ground`).
+    Scale { number: Scaled, black: f64, white: f64 },
 }
 
 impl Control {
@@ -41,10 +42,10 @@ impl Control {
         }
     }
 
-    /// The factor for the mean days between divisions of a cell that divides at a place.
-    pub fn days_factor(&self, mesh: &Mesh, place: Place, kind: CellType) -> f64 {
+    /// The factor for a number of the recipe at a place.
+    pub fn factor(&self, mesh: &Mesh, place: Place, number: Scaled) -> f64 {
         match self.use_as {
-            Use::DivisionDays { of, black, white } if of == kind => {
+            Use::Scale { number: scaled, black, white } if scaled.is(number) => {
                 let (turns, height) = self.wrap.coordinates(&self.image, mesh, place);
                 let grey = f64::from(self.image.grey(turns, height));
                 black * (1.0 - grey) + white * grey
@@ -53,13 +54,40 @@ impl Control {
         }
     }
 
-    /// The least and the greatest factor that there can be for a type.
-    pub fn days_factors(&self, kind: CellType) -> [f64; 2] {
+    /// Whether cells under it may be pushed in another way than the recipe says.
+    pub fn scales_forces(&self) -> bool {
+        matches!(self.use_as, Use::Scale { number, .. } if !number.is_days())
+    }
+
+    /// The factors for a number at the two ends of the image, the least first.
+    fn ends(&self, number: Scaled) -> [f64; 2] {
         match self.use_as {
-            Use::DivisionDays { of, black, white } if of == kind => {
+            Use::Scale { number: scaled, black, white } if scaled.is(number) => {
                 [black.min(white), black.max(white)]
             }
             _ => [1.0, 1.0],
         }
     }
+}
+
+/// Refuses control images under which a number of the recipe could leave its range.
+pub(super) fn check(recipe: &Recipe, controls: &[Control]) -> Result<(), RecipeError> {
+    for control in controls {
+        if let Use::Scale { black, white, .. } = control.use_as
+            && ![black, white].iter().all(|factor| (0.0..=1000.0).contains(factor))
+        {
+            return Err(RecipeError(format!(
+                "a control image has the factors {black} at black and {white} at white: they must \
+                 be from 0 to 1000"
+            )));
+        }
+    }
+    for end in [0, 1] {
+        let factor = |number| controls.iter().map(|c| c.ends(number)[end]).product();
+        recipe
+            .scaled(&factor)
+            .check()
+            .map_err(|e| RecipeError(format!("under a control image, {e}")))?;
+    }
+    Ok(())
 }

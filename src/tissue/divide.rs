@@ -2,7 +2,8 @@
 //! (Thesis 3.2.1.2).
 
 use super::chance::{Purpose, draw, exponential, founder_key, pick, poisson, uniform};
-use super::{CellType, Clock, Control, Lineage, Recipe};
+use super::ground::Ground;
+use super::{CellType, Clock, Control, Lineage, Recipe, Scaled};
 use crate::surface::{Mesh, Place, walk};
 use glam::Vec2;
 use std::cmp::Reverse;
@@ -98,7 +99,7 @@ impl Clocks {
         &mut self,
         setting: &Setting,
         day: usize,
-        radius: f32,
+        ground: &Ground,
         lineage: &mut Vec<Lineage>,
         places: &mut Vec<Place>,
     ) -> bool {
@@ -113,6 +114,7 @@ impl Clocks {
             let row = &setting.recipe.mutation[mother.kind as usize];
             let kind = CellType::from_index(pick(row, uniform(key, turn, Purpose::Type)) as u8);
             lineage.push(Lineage { parent, founder: mother.founder, born_day: day as u32, kind });
+            let radius = ground.at(place.triangle).radius;
             let beside = beside(setting.mesh, place, radius, key, turn);
             places.push(beside);
             self.keys.push(draw(key, turn, Purpose::Child));
@@ -128,7 +130,8 @@ impl Clocks {
 impl Setting<'_> {
     /// The mean days to the next division of a cell whose clock is wound at a place.
     fn division_days(&self, kind: CellType, place: Place) -> f64 {
-        let factors = self.controls.iter().map(|c| c.days_factor(self.mesh, place, kind));
+        let factors =
+            self.controls.iter().map(|c| c.factor(self.mesh, place, Scaled::DivisionDays(kind)));
         self.recipe.division_days[kind as usize] * factors.product::<f64>()
     }
 }

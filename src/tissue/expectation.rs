@@ -21,7 +21,8 @@ pub fn expected_cells(
     day: usize,
 ) -> Option<Expected> {
     let mutates = CellType::ALL.iter().any(|&t| recipe.mutation[t as usize][t as usize] != 1.0);
-    let scales = controls.iter().any(|c| matches!(c.use_as, Use::DivisionDays { .. }));
+    let scales =
+        controls.iter().any(|c| matches!(c.use_as, Use::Scale { number, .. } if number.is_days()));
     if mutates || scales || recipe.clock != Clock::Poisson {
         return None;
     }

@@ -1,12 +1,13 @@
 //! The forces between cells, four neighbours at a time (Thesis 3.2.1.1).
 
+use super::Recipe;
 use super::lanes::{LANES, lanes};
 use super::near::Near;
 use glam::Vec2;
 use std::ops::Range;
 use wide::f32x4;
 
-/// What a relaxation event needs to know of the recipe and the day.
+/// What a relaxation event needs to know of the recipe and the day, in one place of the body.
 #[derive(Clone, Copy, Debug)]
 pub struct Forces {
     /// Repulsive radius, in centimetres.
@@ -14,6 +15,20 @@ pub struct Forces {
     pub repulsion: f32,
     /// `1 - adhesion` by the types of the cell and its neighbour.
     pub weights: [[f32; 3]; 3],
+}
+
+impl Forces {
+    /// Those of a recipe for so many cells on so much area. Before day 0 adhesion plays no part: every
+    /// pair repels as two F cells do (the original program).
+    pub fn new(recipe: &Recipe, area_cm2: f32, cells: usize, day: usize) -> Forces {
+        let adhesion = &recipe.adhesion;
+        let weights = match day {
+            0 => [[1.0 - adhesion[0][0]; 3]; 3],
+            _ => adhesion.map(|row| row.map(|a| 1.0 - a)),
+        };
+        let radius = recipe.repulsive_radius_cm(area_cm2, cells);
+        Forces { radius, repulsion: recipe.repulsion, weights }
+    }
 }
 
 /// The forces of a day, in all lanes.

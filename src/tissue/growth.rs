@@ -3,10 +3,9 @@
 use super::chance::{Purpose, founder_key, pick, uniform};
 use super::course::Course;
 use super::divide::{Clocks, Setting};
-use super::forces::Forces;
-use super::recipe::check_days;
+use super::ground::Ground;
 use super::relax::Crowd;
-use super::{CellType, Control, Day, Diary, Lineage, Recipe, RecipeError};
+use super::{CellType, Control, Day, Diary, Lineage, Recipe, RecipeError, control};
 use crate::surface::{DirectionField, Mesh, Place};
 use std::sync::Arc;
 
@@ -24,8 +23,8 @@ pub struct Growth {
     clocks: Clocks,
     /// The cells' places at the beginning of the day under way.
     places: Vec<Place>,
-    /// Repulsive radius of the day under way, in centimetres.
-    radius: f32,
+    /// The forces of the day under way.
+    ground: Ground,
     /// Relaxation events done of the day under way.
     events: u32,
     full: bool,
@@ -54,14 +53,14 @@ impl Growth {
         seed: u32,
     ) -> Result<Growth, RecipeError> {
         recipe.check()?;
-        check_scaled_days(&recipe, controls)?;
+        control::check(&recipe, controls)?;
         let (lineage, places) = sow(&mesh, &recipe, controls, seed);
         let setting = Setting { mesh: &mesh, recipe: &recipe, controls };
         let clocks = Clocks::new(&setting, seed, &lineage, &places);
         let mut growth = Growth {
             diary: Diary { lineage, days: Vec::new() },
             crowd: Crowd::default(),
-            radius: repulsive_radius(&recipe, mesh.area, places.len()),
+            ground: Ground::new(&mesh, &recipe, controls, places.len(), 0),
             mesh,
             recipe,
             controls: controls.to_vec(),
@@ -122,9 +121,8 @@ impl Growth {
             _ => self.recipe.relaxations_per_day,
         };
         if self.events < events {
-            let forces = self.forces(day);
             let course = self.course.as_ref().filter(|_| day > 0);
-            self.crowd.relax(&self.mesh, &forces, course);
+            self.crowd.relax(&self.mesh, &self.ground, course);
             self.events += 1;
             if self.events < events {
                 return Progress::Event;
@@ -146,7 +144,7 @@ impl Growth {
         let cells = self.places.len();
         let lineage = &mut self.diary.lineage;
         let setting = Setting { mesh: &self.mesh, recipe: &self.recipe, controls: &self.controls };
-        let within_cap = self.clocks.divide(&setting, day, self.radius, lineage, &mut self.places);
+        let within_cap = self.clocks.divide(&setting, day, &self.ground, lineage, &mut self.places);
         if !within_cap {
             self.places.truncate(cells);
             lineage.truncate(cells);
@@ -155,56 +153,33 @@ impl Growth {
         within_cap
     }
 
-    /// Before day 0 adhesion plays no part: every pair repels as two F cells do (the original
-    /// program).
-    fn forces(&self, day: usize) -> Forces {
-        let adhesion = &self.recipe.adhesion;
-        let weights = match day {
-            0 => [[1.0 - adhesion[0][0]; 3]; 3],
-            _ => adhesion.map(|row| row.map(|a| 1.0 - a)),
-        };
-        Forces { radius: self.radius, repulsion: self.recipe.repulsion, weights }
-    }
-
     /// Hands the cells of `places` to the crowd.
     fn settle(&mut self) {
         let kinds = self.diary.lineage.iter().map(|cell| cell.kind as u8);
-        self.crowd.gather(&self.mesh, self.places.iter().copied().zip(kinds), self.radius);
+        self.crowd.gather(
+            &self.mesh,
+            self.places.iter().copied().zip(kinds),
+            self.ground.reach_cm(),
+        );
     }
 
-    /// Writes the day down and renews the repulsive radius.
+    /// Writes the day down and renews the forces with the repulsive radius.
     fn end_day(&mut self) {
-        let day = self.diary.days.len() as u32;
+        let day = self.diary.days.len();
         let mut places = self.crowd.places();
         // Parts do not feel each other: what has not unfolded is simply put back.
         for (place, before) in places.iter_mut().zip(&self.places) {
-            if day > 0 && day <= self.unfolding_day(before) {
+            if day > 0 && day as u32 <= self.unfolding_day(before) {
                 *place = *before;
             }
         }
+        let cells = places.len();
+        self.ground = Ground::new(&self.mesh, &self.recipe, &self.controls, cells, day + 1);
+        let repulsive_radius = self.recipe.repulsive_radius_cm(self.mesh.area, cells);
+        self.diary.days.push(Day { places: places.clone(), repulsive_radius });
         self.places = places;
-        self.radius = repulsive_radius(&self.recipe, self.mesh.area, self.places.len());
-        self.diary.days.push(Day { places: self.places.clone(), repulsive_radius: self.radius });
         self.events = 0;
     }
-}
-
-/// `r = radius_scale * sqrt(area / cells)`, in centimetres.
-fn repulsive_radius(recipe: &Recipe, area: f32, cells: usize) -> f32 {
-    recipe.radius_scale * (area / cells as f32).sqrt()
-}
-
-/// Refuses control images that scale the days between divisions out of their range.
-fn check_scaled_days(recipe: &Recipe, controls: &[Control]) -> Result<(), RecipeError> {
-    for kind in CellType::ALL {
-        let days = recipe.division_days[kind as usize];
-        for end in [0, 1] {
-            let factor: f64 = controls.iter().map(|c| c.days_factors(kind)[end].max(0.0)).product();
-            check_days(kind, days * factor)
-                .map_err(|e| RecipeError(format!("under a control image, {e}")))?;
-        }
-    }
-    Ok(())
 }
 
 /// The first cells: places uniform by area, types by their probabilities.

@@ -29,6 +29,34 @@ impl CellType {
     }
 }
 
+/// A number of a recipe that can be scaled, by a control image, from place to place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scaled {
+    /// `division_days` of a type.
+    DivisionDays(CellType),
+    RadiusScale,
+    Repulsion,
+    /// `adhesion` of two types, in either order.
+    Adhesion(CellType, CellType),
+}
+
+impl Scaled {
+    /// Whether both name the same number.
+    pub fn is(self, other: Scaled) -> bool {
+        match (self, other) {
+            (Scaled::Adhesion(a, b), Scaled::Adhesion(c, d)) => {
+                (a, b) == (c, d) || (a, b) == (d, c)
+            }
+            _ => self == other,
+        }
+    }
+
+    /// Whether it says when cells divide and not how they are pushed.
+    pub fn is_days(self) -> bool {
+        matches!(self, Scaled::DivisionDays(_))
+    }
+}
+
 /// How the time to a cell's next division is drawn, with the mean of its type's `division_days`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -121,6 +149,26 @@ impl Recipe {
         serde_json::to_string_pretty(self).expect("a recipe holds plain numbers")
     }
 
+    /// The recipe with each number that can be scaled times its factor. Nothing is checked.
+    #[inline(never)] // Else the page carries it twice.
+    pub fn scaled(&self, factor: &dyn Fn(Scaled) -> f64) -> Recipe {
+        let mut recipe = self.clone();
+        recipe.radius_scale *= factor(Scaled::RadiusScale) as f32;
+        recipe.repulsion *= factor(Scaled::Repulsion) as f32;
+        for a in CellType::ALL {
+            recipe.division_days[a as usize] *= factor(Scaled::DivisionDays(a));
+            for b in CellType::ALL {
+                recipe.adhesion[a as usize][b as usize] *= factor(Scaled::Adhesion(a, b)) as f32;
+            }
+        }
+        recipe
+    }
+
+    /// The repulsive radius of so many cells, `r = radius_scale * sqrt(area / cells)`, in centimetres.
+    pub fn repulsive_radius_cm(&self, area_cm2: f32, cells: usize) -> f32 {
+        self.radius_scale * (area_cm2 / cells as f32).sqrt()
+    }
+
     /// Refuses what the model cannot grow.
     pub fn check(&self) -> Result<(), RecipeError> {
         let fail = |what: String| Err(RecipeError(what));
@@ -178,7 +226,7 @@ impl Recipe {
 
 /// One rule for both clocks, though the exponential one would not need it: no change of the clock
 /// alone makes a recipe that cannot be grown.
-pub(super) fn check_days(kind: CellType, days: f64) -> Result<(), RecipeError> {
+fn check_days(kind: CellType, days: f64) -> Result<(), RecipeError> {
     if days > 1.0 && days <= 500.0 {
         return Ok(());
     }

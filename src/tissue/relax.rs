@@ -1,7 +1,8 @@
 //! Relaxation: the cells push each other away, all together (Thesis 3.2.1.1).
 
 use super::course::Course;
-use super::forces::{ForceLanes, Forces};
+use super::forces::ForceLanes;
+use super::ground::Ground;
 use super::lanes::{LANES, lanes};
 use super::near::Near;
 use super::plan::{Neighbourhood, Own, Plan, look_cm};
@@ -56,16 +57,16 @@ impl Columns {
 }
 
 impl Crowd {
-    /// Takes up the cells of a day: their places and types by number. `radius` is the repulsive
-    /// radius of the day, in centimetres.
+    /// Takes up the cells of a day: their places and types by number. No cell will look further
+    /// than `reach_cm`.
     pub fn gather(
         &mut self,
         mesh: &Mesh,
         cells: impl ExactSizeIterator<Item = (Place, u8)>,
-        radius: f32,
+        reach_cm: f32,
     ) {
         self.cells = cells.len();
-        self.plan.renew(mesh, self.cells, radius);
+        self.plan.renew(mesh, self.cells, reach_cm);
         self.scratch.resize(self.cells);
         self.columns.resize(self.cells);
         self.moved.b1.resize(self.cells + LANES, 0.0);
@@ -93,12 +94,11 @@ impl Crowd {
         places
     }
 
-    /// One event: every displacement is computed from the old places, then all cells move. `forces`
-    /// are of the radius that the cells were gathered with. With a course, each displacement is turned
+    /// One event: every displacement is computed from the old places, then all cells move. The ground
+    /// is of the reach that the cells were gathered with. With a course, each displacement is turned
     /// along its direction field.
-    pub fn relax(&mut self, mesh: &Mesh, forces: &Forces, course: Option<&Course>) {
-        let force_lanes = ForceLanes::new(forces);
-        let look_cm = look_cm(mesh, self.cells, forces.radius);
+    pub fn relax(&mut self, mesh: &Mesh, ground: &Ground, course: Option<&Course>) {
+        let look_cm = look_cm(mesh, self.cells, ground.reach_cm());
         for p in 0..self.plan.patches.len() {
             let patch = self.plan.patches[p].clone();
             let own = self.rows(self.plan.bins_of(&patch.own));
@@ -107,27 +107,33 @@ impl Crowd {
             }
             self.unfold(&patch, look_cm);
             self.near.sort();
-            for row in own.clone() {
-                let at = self.near.at(row - own.start);
-                let kind = self.columns.kind[row] as usize;
-                let push = force_lanes.push(&self.near, self.near.windows(at), at, kind);
-                self.moved.b1[row] = push.x;
-                self.moved.b2[row] = push.y;
+            // On even ground a whole patch at once.
+            let alike = if let Ground::Even(_) = ground { patch.own.len() } else { 1 };
+            for first in patch.own.clone().step_by(alike) {
+                let forces = ForceLanes::new(ground.at(self.plan.order[first]));
+                for row in self.rows(self.plan.bins_of(&(first..first + alike))) {
+                    let at = self.near.at(row - own.start);
+                    let kind = self.columns.kind[row] as usize;
+                    let push = forces.push(&self.near, self.near.windows(at), at, kind);
+                    self.moved.b1[row] = push.x;
+                    self.moved.b2[row] = push.y;
+                }
             }
             for slot in patch.own {
-                self.step(mesh, slot, forces, course);
+                self.step(mesh, slot, ground, course);
             }
         }
         self.sort();
     }
 
     /// Moves the cells of a triangle as far as `moved` says they are pushed in the plane of its patch.
-    fn step(&mut self, mesh: &Mesh, slot: usize, forces: &Forces, course: Option<&Course>) {
+    fn step(&mut self, mesh: &Mesh, slot: usize, ground: &Ground, course: Option<&Course>) {
         let rows = self.rows(self.plan.bins.of(slot));
         if rows.is_empty() {
             return;
         }
         let Own { image, to_barycentric } = self.plan.own[slot];
+        let forces = ground.at(image.triangle);
         let longest = f32x4::splat(0.5 * forces.radius);
         let repulsion = f32x4::splat(forces.repulsion);
         let [to_b1, to_b2] = to_barycentric.map(|v| (f32x4::splat(v.x), f32x4::splat(v.y)));

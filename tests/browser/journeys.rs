@@ -142,6 +142,36 @@ fn a_bad_link_loads_what_it_can_and_says_what_it_left_out() {
 }
 
 #[test]
+fn the_panel_has_the_parameters_of_the_plant_and_the_clock_is_chosen_by_name() {
+    let Some(page) = Page::open(Graphics::Neither, "#sansevieria?v=1&s=1&d=1") else { return };
+    let before = page.on_day(1);
+    page.run("document.querySelector('details.recipe').open = true");
+    let shows = |key: &str| {
+        page.run(&format!("return document.getElementById('parameter-{key}').checkVisibility()"))
+    };
+    let shown = || ["ck", "pm", "mbm", "an"].map(|key| shows(key) == true);
+    assert_eq!(shown(), [true, true, true, false]);
+    let choose = |clock: u32| {
+        page.run(&format!(
+            "const s = document.getElementById('parameter-ck'); s.selectedIndex = {clock};
+             s.dispatchEvent(new Event('change'))"
+        ))
+    };
+    choose(1);
+    page.wait_for("the link to follow", "return location.hash.endsWith('d=1&ck=1')");
+    page.wait("other cells", |s| s.state == "ready" && s.fingerprint != before.fingerprint);
+    choose(0);
+    page.wait_for("the link to follow", "return location.hash.endsWith('s=1&d=1')");
+    assert_eq!(page.ready().fingerprint, before.fingerprint);
+    page.visit("#philodendron?v=1&s=1&d=0&ck=1");
+    page.ready();
+    page.run("document.querySelector('details.recipe').open = true");
+    assert_eq!(shown(), [true, false, false, true]);
+    assert_eq!(page.run("return document.getElementById('parameter-ck').selectedIndex"), 1);
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
 fn a_page_at_rest_draws_nothing() {
     let Some(page) = Page::open(Graphics::WebGpu, SOON) else { return };
     page.ready();

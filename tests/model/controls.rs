@@ -4,7 +4,7 @@ use crate::meshes::{flat, icosphere, sheet};
 use crate::without_relaxation;
 use clonal_mosaic::surface::{Body, ControlImage, Cylinder, Mesh, Ornament, Wrap};
 use clonal_mosaic::tissue::CellType::{self, Background, Foreground, Middle};
-use clonal_mosaic::tissue::{Clock, Control, Diary, Growth, Progress, Recipe, Use, clans};
+use clonal_mosaic::tissue::{Clock, Control, Diary, Growth, Progress, Recipe, Scaled, Use, clans};
 use glam::{Vec2, Vec3};
 use std::sync::Arc;
 
@@ -75,8 +75,8 @@ fn days_between_divisions_are_scaled_where_the_cell_is() {
         ..without_relaxation()
     };
     let (wrap, image) = upper_half();
-    let scaled = Use::DivisionDays { of: Foreground, black: 2.0, white: 0.75 };
-    let control = Control { wrap, image, use_as: scaled };
+    let number = Scaled::DivisionDays(Foreground);
+    let control = Control { wrap, image, use_as: Use::Scale { number, black: 2.0, white: 0.75 } };
     let diary = grow(&mesh, &recipe, &[control]);
     let mut clan_sizes = vec![0.0; 60_000];
     for cell in &diary.lineage {
@@ -105,20 +105,109 @@ fn days_between_divisions_are_scaled_where_the_cell_is() {
 }
 
 #[test]
-fn days_that_no_cell_can_have_are_refused() {
+fn what_no_cell_can_have_under_an_image_is_refused() {
     let mesh = Arc::new(icosphere(0, 10.0));
     let (wrap, image) = upper_half();
-    for (black, white, words) in
-        [(0.1, 1.0, "B is 1:"), (1.0, 60.0, "B is 600:"), (-2.0, 1.0, "B is 0:")]
-    {
-        let use_as = Use::DivisionDays { of: Background, black, white };
-        let control = Control { wrap, image: image.clone(), use_as };
+    let days = Scaled::DivisionDays(Background);
+    let adhesion = Scaled::Adhesion(Background, Background);
+    for (number, black, white, words) in [
+        (days, 0.1, 1.0, "under a control image, division_days of B is 1:"),
+        (days, 1.0, 60.0, "under a control image, division_days of B is 600:"),
+        (Scaled::RadiusScale, 0.0, 1.0, "under a control image, radius_scale is 0:"),
+        (Scaled::RadiusScale, 1.0, 12.0, "under a control image, radius_scale is 12:"),
+        (Scaled::Repulsion, 25.0, 0.0, "under a control image, repulsion is 2.25:"),
+        (adhesion, 0.0, 1.5, "under a control image, adhesion BB is 1.2"),
+        (days, -2.0, 1.0, "has the factors -2 at black and 1 at white: they must be from 0 to"),
+        (adhesion, 1.0, -0.1, "has the factors 1 at black and -0.1 at white"),
+        (Scaled::Repulsion, f64::NAN, 1.0, "has the factors NaN at black"),
+        (Scaled::Repulsion, 1.0, f64::INFINITY, "inf at white"),
+    ] {
+        let control =
+            Control { wrap, image: image.clone(), use_as: Use::Scale { number, black, white } };
         for clock in [Clock::Poisson, Clock::Exponential] {
             let recipe = Recipe { clock, ..Recipe::default() };
             let growth = Growth::new(mesh.clone(), recipe, std::slice::from_ref(&control), 1);
             let error = growth.err().expect("refused").to_string();
-            assert!(error.starts_with("under a control image, division_days of"), "{error}");
             assert!(error.contains(words), "{error}");
+        }
+    }
+    // Two images at one place: only their product counts.
+    let twice = |white| {
+        let use_as = Use::Scale { number: Scaled::RadiusScale, black: 1.0, white };
+        Control { wrap, image: image.clone(), use_as }
+    };
+    let grows =
+        |controls: &[Control]| Growth::new(mesh.clone(), Recipe::default(), controls, 1).is_ok();
+    assert!(grows(&[twice(4.0)]) && grows(&[twice(4.0), twice(2.0)]));
+    assert!(!grows(&[twice(4.0), twice(4.0)]));
+}
+
+#[test]
+fn several_cylinders_stand_on_one_body_and_none_has_a_seam() {
+    let mesh = Arc::new(icosphere(3, 10.0));
+    // One upright, black in its lower half; one that lies along x, of its own size, black where y
+    // and z are over 0: a quarter of the angle from its zero on.
+    let (upright, lower_half) = upper_half();
+    let lying = |zero| {
+        let base = Vec3::new(-20.0, 0.0, 0.0);
+        Wrap::Cylinder(Cylinder { base, axis: Vec3::X, zero, height: 40.0 })
+    };
+    let quarter = ControlImage::paint(16, 3, |turns, _| turns > 0.25);
+    let recipe = Recipe {
+        initial_cells: 20_000,
+        initial_probability: [1.0, 0.0, 0.0],
+        days: 0,
+        ..without_relaxation()
+    };
+    let control = |wrap, image: &ControlImage, instead| {
+        let use_as = Use::FirstCells { of: Foreground, instead };
+        Control { wrap, image: image.clone(), use_as }
+    };
+    let both =
+        [control(upright, &lower_half, Background), control(lying(Vec3::Y), &quarter, Middle)];
+    let diary = grow(&mesh, &recipe, &both);
+    let mut counts = [0; 3];
+    for (cell, &place) in diary.lineage.iter().zip(&diary.days[0].places) {
+        let p = mesh.point(place);
+        let expected = match (p.y > 0.0, p.z > 0.0) {
+            (false, _) => Background,
+            (true, true) => Middle,
+            (true, false) => Foreground,
+        };
+        // Points on the border may round to either side.
+        if p.y.abs() > 1e-4 && p.z.abs() > 1e-4 {
+            assert_eq!(cell.kind, expected, "at {p}");
+            counts[expected as usize] += 1;
+        }
+    }
+    assert!(counts.iter().all(|&n| n > 4_000), "{counts:?}");
+
+    // Wherever the angle begins, the same image lies on the body: types and factors stay.
+    let noise = ControlImage {
+        width: 16,
+        height: 3,
+        grey: (0..48u32).map(|k| (k * k * 89 + k * 57) as u8).collect(),
+    };
+    for by in [1, 5, 12] {
+        let (sin, cos) = (std::f32::consts::TAU * by as f32 / 16.0).sin_cos();
+        let turned = |image: &ControlImage| {
+            let mut image = image.clone();
+            image.grey.chunks_mut(16).for_each(|row| row.rotate_left(by));
+            image
+        };
+        let from_there = lying(Vec3::new(0.0, cos, sin));
+        let types = control(from_there, &turned(&quarter), Middle);
+        let use_as = Use::Scale { number: Scaled::Repulsion, black: 0.0, white: 1.0 };
+        let before = Control { wrap: lying(Vec3::Y), image: noise.clone(), use_as };
+        let after = Control { wrap: from_there, image: turned(&noise), use_as };
+        for &place in &diary.days[0].places {
+            let p = mesh.point(place);
+            let factor = |c: &Control| c.factor(&mesh, place, Scaled::Repulsion);
+            assert!((factor(&before) - factor(&after)).abs() < 1e-4, "{by} columns, at {p}");
+            if p.y.abs() > 1e-3 && p.z.abs() > 1e-3 {
+                let kind = |c: &Control| c.first_type(&mesh, place, Foreground);
+                assert_eq!(kind(&types), kind(&both[1]), "{by} columns, at {p}");
+            }
         }
     }
 }

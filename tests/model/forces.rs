@@ -8,10 +8,10 @@ use clonal_mosaic::tissue::{Day, Recipe};
 use glam::{Vec2, Vec3};
 use std::sync::Arc;
 
-const SIDE_CM: f32 = 8.0;
+pub const SIDE_CM: f32 = 8.0;
 
 /// Cells that move but never divide within the days that we look at.
-fn undivided() -> Recipe {
+pub fn undivided() -> Recipe {
     Recipe {
         initial_cells: 800,
         initial_probability: [0.4, 0.4, 0.2],
@@ -23,24 +23,26 @@ fn undivided() -> Recipe {
     }
 }
 
-fn points(mesh: &Mesh, day: &Day) -> Vec<Vec2> {
+pub fn points(mesh: &Mesh, day: &Day) -> Vec<Vec2> {
     day.places.iter().map(|&place| mesh.point(place).truncate()).collect()
 }
 
 /// A difference of two points of the torus, the short way round.
-fn short_way(d: Vec2) -> Vec2 {
+pub fn short_way(d: Vec2) -> Vec2 {
     d - (d / SIDE_CM).round() * SIDE_CM
 }
 
-/// `omega_d sum (1 - alpha) (1 - d / r) r u` over all pairs, capped at half the radius.
-fn pushes(
+/// `omega_d sum (1 - alpha) (1 - d / r) r u` over all pairs, capped at half the radius; radius and
+/// repulsion are those of the cell that is pushed.
+pub fn pushes(
     points: &[Vec2],
-    radius: f32,
-    repulsion: f32,
+    radius: impl Fn(usize) -> f32,
+    repulsion: impl Fn(usize) -> f32,
     weight: impl Fn(usize, usize) -> f32,
 ) -> Vec<Vec2> {
     let push = |i: usize| {
         let mut sum = Vec2::ZERO;
+        let radius = radius(i);
         for j in (0..points.len()).filter(|&j| j != i) {
             let apart = short_way(points[i] - points[j]);
             let distance = apart.length();
@@ -48,7 +50,7 @@ fn pushes(
                 sum += weight(i, j) * (1.0 - distance / radius) * radius * apart / distance;
             }
         }
-        (sum * repulsion).clamp_length_max(0.5 * radius)
+        (sum * repulsion(i)).clamp_length_max(0.5 * radius)
     };
     (0..points.len()).map(push).collect()
 }
@@ -69,9 +71,9 @@ fn a_day_moves_cells_as_the_formula_says() {
         let before = points(&mesh, &diary.days[0]);
         let after = points(&mesh, &diary.days[1]);
         let kind = |i: usize| diary.lineage[i].kind as usize;
-        let expected = pushes(&before, diary.days[0].repulsive_radius, repulsion, |i, j| {
-            1.0 - adhesion[kind(i)][kind(j)]
-        });
+        let radius = diary.days[0].repulsive_radius;
+        let weight = |i, j| 1.0 - adhesion[kind(i)][kind(j)];
+        let expected = pushes(&before, |_| radius, |_| repulsion, weight);
         let mut longest = 0.0f32;
         for (i, push) in expected.iter().enumerate() {
             let moved = short_way(after[i] - before[i]);
@@ -114,7 +116,8 @@ fn before_day_0_every_pair_repels_like_two_foreground_cells() {
     let sown = grow(&mesh, &recipe, 5);
     let relaxed = grow(&mesh, &Recipe { initial_relaxations: 1, ..recipe.clone() }, 5);
     let before = points(&mesh, &sown.days[0]);
-    let expected = pushes(&before, sown.days[0].repulsive_radius, recipe.repulsion, |_, _| 0.5);
+    let radius = sown.days[0].repulsive_radius;
+    let expected = pushes(&before, |_| radius, |_| recipe.repulsion, |_, _| 0.5);
     for (i, after) in points(&mesh, &relaxed.days[0]).into_iter().enumerate() {
         assert!((short_way(after - before[i]) - expected[i]).length() < 2e-5, "cell {i}");
     }

@@ -12,6 +12,7 @@ mod original;
 mod pattern;
 mod population;
 mod recipes;
+mod scaling;
 mod walking;
 
 use clonal_mosaic::surface::{DirectionField, Mesh};

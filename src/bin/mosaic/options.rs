@@ -23,8 +23,8 @@ mosaic grow: one individual, day by day.
 What to grow (the croton when nothing is said):
   --link TEXT        the plant of a playground link, or of the part after its #
   --preset NAME      a plant of the playground: croton, cactus, watermelon, mushroom, philodendron,
-                     sansevieria, square-watermelon, croton-shrub, banded-cactus, long-watermelon,
-                     amanita, philodendron-shoot
+                     sansevieria, square-watermelon, croton-shrub, red-croton, banded-cactus,
+                     long-watermelon, amanita, philodendron-shoot
   --recipe FILE      a recipe in JSON; what it leaves out has a default. Without --mesh it grows on
                      the croton
   --mesh FILE        a body of your own as OBJ, patterned all over
