@@ -14,6 +14,8 @@ pub struct Chooser {
     radios: Vec<HtmlInputElement>,
     /// The pictures that are not yet asked for, and where they are.
     pictures: Vec<(Element, String)>,
+    /// Whether the chosen plant was on the screen when this was last shown.
+    is_seen: bool,
     _listeners: Vec<Listener>,
 }
 
@@ -43,15 +45,18 @@ impl Chooser {
                 app::send(Event::ChoosePlant(radio.value()));
             }
         }));
-        Chooser { list, radios, pictures, _listeners: listeners }
+        Chooser { list, radios, pictures, is_seen: false, _listeners: listeners }
     }
 
     pub fn show(&mut self, page: &Page) {
-        // The chosen plant comes first: the pictures of all wait until nothing of it is on its way.
+        // The chosen plant comes first: the pictures of all wait until it has been seen for a while.
         if page.state() != State::Loading {
-            for (picture, address) in self.pictures.drain(..) {
-                set_attribute(&picture, "src", address);
+            if self.is_seen {
+                for (picture, address) in self.pictures.drain(..) {
+                    set_attribute(&picture, "src", address);
+                }
             }
+            self.is_seen = true;
         }
         for radio in &self.radios {
             let chosen = radio.value() == page.scene().plant.key;
