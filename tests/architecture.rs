@@ -41,12 +41,6 @@ const OUTSIDE: [&str; 9] = [
 
 const MOST_LINES: usize = 400;
 
-/// Files that may be longer, up to a length, for a reason.
-const LONG: [(&str, usize); 1] = [
-    // All that the page does on hearing something.
-    ("src/play/page.rs", 480),
-];
-
 #[test]
 fn rooms_import_only_the_rooms_before_them() {
     let mut broken = Vec::new();
@@ -108,10 +102,7 @@ fn files_are_small_rooms() {
         .flat_map(|folder| files(&root().join(folder)))
         .filter(|path| path.extension().is_some_and(|e| e == "rs" || e == "wgsl"))
         .map(|path| (fs::read_to_string(&path).unwrap().lines().count(), path))
-        .filter(|(lines, path)| {
-            let exception = LONG.iter().find(|(name, _)| path.ends_with(name));
-            *lines > exception.map_or(MOST_LINES, |(_, most)| *most)
-        })
+        .filter(|(lines, _)| *lines > MOST_LINES)
         .map(|(lines, path)| format!("{} has {lines} lines", path.display()))
         .collect();
     assert!(long.is_empty(), "split where they hold two ideas:\n{}", long.join("\n"));

@@ -152,6 +152,11 @@ pub fn send_to_figures(event: gallery::Event) {
     with(|app| app.hear_figures(event));
 }
 
+/// Whether the figures stand in the place of the plant.
+pub fn shows_figures() -> bool {
+    APP.with_borrow(|app| app.as_ref().is_some_and(|app| app.gallery.is_some()))
+}
+
 /// Makes a figure the one that grows, unless it is.
 pub fn open_figure(figure: &'static Figure) {
     with(|app| {
@@ -237,9 +242,12 @@ impl App {
     /// Shows what the address asks for: the figures or a plant.
     fn open_address(&mut self) {
         let fragment = fragment();
-        self.stage.forget();
-        self.gallery = None;
-        if let Some(number) = asked_figure(&fragment) {
+        let asked = asked_figure(&fragment);
+        if self.gallery.take().is_some() || asked.is_some() {
+            // The figures are drawn on the page's stage.
+            self.stage.forget();
+        }
+        if let Some(number) = asked {
             self.gallery = Some(Gallery::open(number, &self.page.link()));
             return self.frames.ask();
         }

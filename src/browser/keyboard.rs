@@ -73,6 +73,8 @@ fn anywhere(event: &KeyboardEvent) -> bool {
     let command = event.ctrl_key() || event.meta_key();
     match (event.key().to_ascii_lowercase().as_str(), command, event.shift_key()) {
         ("?", false, _) => controls::show_keys(),
+        // Nobody would see what is undone.
+        ("z" | "y", true, _) if app::shows_figures() => return false,
         ("z", true, false) => app::send(Event::Undo),
         ("z", true, true) | ("y", true, false) => app::send(Event::Redo),
         _ => return false,

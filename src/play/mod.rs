@@ -2,6 +2,7 @@
 //! worker.
 
 pub mod camera;
+mod events;
 pub mod figures;
 pub mod gallery;
 mod history;

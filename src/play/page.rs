@@ -9,125 +9,12 @@ use super::meshes::Meshes;
 use super::parameters::Parameter;
 use super::playhead::Playhead;
 use super::protocol::{BUILD, ToPage, ToWorker};
-use super::run::{DayFacts, End, Run};
+use super::run::{End, Run};
 use super::scene::Scene;
 use super::words;
-use crate::plants::{Plant, Show};
-use glam::Vec2;
+use crate::plants::Plant;
 
-/// What can happen to the page.
-#[derive(Clone, Debug)]
-pub enum Event {
-    /// A link was opened: the fragment of an address.
-    OpenLink(String),
-    /// The key of a plant was chosen: its preset, with the individual that is shown.
-    ChoosePlant(String),
-    /// Another individual of the same plant.
-    Individual(u32),
-    /// A parameter, by its key, was changed.
-    Change {
-        key: &'static str,
-        value: f64,
-    },
-    /// All parameters back to the preset.
-    ResetParameters,
-    /// Perlin noise in the place of the cells' own types, or not.
-    Noise(bool),
-    /// Something else is to be seen on the body.
-    Show(Show),
-    /// A day is wished.
-    Seek(u32),
-    /// Days on (or back) from the wished one.
-    StepDays(i32),
-    /// The visitor's hand is on the time line, at a time in days.
-    Scrub(f64),
-    /// The hand lets go.
-    LetGo,
-    PlayOrPause,
-    /// Times the usual speed.
-    Speed(f64),
-    Loop(bool),
-    /// Degrees to the right and upwards.
-    Turn {
-        right_deg: f32,
-        up_deg: f32,
-    },
-    /// See `Orbit::zoomed`.
-    Zoom {
-        factor: f32,
-        at: Vec2,
-    },
-    /// See `Orbit::panned`.
-    Pan(Vec2),
-    ResetView,
-    Undo,
-    Redo,
-    /// Whether the visitor asked for less motion.
-    LessMotion(bool),
-    /// Time has passed, in seconds.
-    Tick(f64),
-    FromWorker(ToPage),
-    /// A mesh file came, or why it cannot.
-    Mesh {
-        name: &'static str,
-        text: Result<String, String>,
-    },
-    /// There is no worker, and why.
-    WorkerLost(String),
-    /// What `shown` says is on the screen.
-    Drawn,
-    /// Nothing is on the screen any more: the graphics device is lost.
-    PictureLost,
-}
-
-/// What the page's host has to do.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Effect {
-    Post(ToWorker),
-    /// Load a mesh file: `Event::Mesh` is to follow.
-    LoadMesh(&'static str),
-    /// The worker is of another build: load the page again, once.
-    Reload,
-    /// The address of what is shown, without `#`.
-    WriteLink(String),
-    /// For the live region.
-    Say(String),
-    /// Messages for the visitor, to be dismissed by hand; they replace older ones.
-    Tell(Vec<String>),
-}
-
-/// Where the page stands, as `data-state` says it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum State {
-    /// Nothing has grown yet.
-    Loading,
-    /// The wished day is not on the screen yet.
-    Growing,
-    /// The wished day is on the screen.
-    Ready,
-    /// It will not come; the messages say why.
-    Error,
-}
-
-/// What is to be on the screen.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
-    pub plant: &'static str,
-    pub individual: u32,
-    /// The growth that the day is of.
-    pub generation: u32,
-    /// None: the bare body.
-    pub day: Option<ShownDay>,
-}
-
-/// A day on the screen.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ShownDay {
-    pub day: u32,
-    /// How far the cells are on their way from the day before, 0 to 1.
-    pub moment: f32,
-    pub facts: DayFacts,
-}
+pub use super::events::{Effect, Event, Shown, ShownDay, State};
 
 /// The page without its browser.
 pub struct Page {
