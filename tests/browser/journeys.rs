@@ -198,18 +198,3 @@ fn growing_does_not_fill_the_history() {
     page.wait("another one", |s| s.individual != "1" && s.state == "ready");
     assert_eq!(page.run("return history.length"), before);
 }
-
-#[test]
-fn a_link_to_another_individual_keeps_the_picture_until_that_has_grown() {
-    let Some(page) = Page::open(Graphics::WebGpu, "#watermelon?v=1&s=7&d=3") else { return };
-    page.on_day(3);
-    page.run(
-        "window.lost = 0;
-         new MutationObserver(() => {
-             if (!document.querySelector('#stage[data-live]')) window.lost += 1
-         }).observe(document.getElementById('stage'), {attributeFilter: ['data-live']});
-         location.hash = '#watermelon?v=1&s=8&d=3'",
-    );
-    page.wait("the other", |s| s.individual == "8" && s.state == "ready");
-    assert_eq!(page.run("return window.lost"), 0, "the poster took its place");
-}
