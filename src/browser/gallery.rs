@@ -77,10 +77,8 @@ impl Gallery {
         };
         let workers = (0..count).map_while(|number| start(number).ok()).collect();
         let asked = rows.iter().find(|row| row.figure.number == number);
-        match asked {
-            Some(row) => row.element.scroll_into_view(),
-            None => root.set_scroll_top(0),
-        }
+        // Scrolled by hand: to scroll a row into view would scroll the page around it, too.
+        root.set_scroll_top(asked.map_or(0, |row| row.element.offset_top()));
         // The keys that scroll are to work at once.
         let _ = root.focus();
         let scroll = on(&root, "scroll", |_: web_sys::Event| app::figures_scrolled());
