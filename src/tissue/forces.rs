@@ -33,6 +33,8 @@ impl Forces {
 
 /// The forces of a day, in all lanes.
 pub(super) struct ForceLanes {
+    longest_step: f32,
+    repulsion: f32,
     radius: f32x4,
     radius_squared: f32x4,
     /// For each type of cell the parabola through the weights of its neighbours' types: cheaper than
@@ -43,6 +45,8 @@ pub(super) struct ForceLanes {
 impl ForceLanes {
     pub(super) fn new(forces: &Forces) -> ForceLanes {
         ForceLanes {
+            longest_step: 0.5 * forces.radius,
+            repulsion: forces.repulsion,
             radius: f32x4::splat(forces.radius),
             radius_squared: f32x4::splat(forces.radius * forces.radius),
             weights: forces.weights.map(|[at_0, at_1, at_2]| {
@@ -52,42 +56,92 @@ impl ForceLanes {
         }
     }
 
-    /// The sum of the forces on a cell at a place, in centimetres:
-    /// `sum (1 - adhesion) (1 - d/r) r (x_i - x_j)/d` over the cells within `r`. `windows` hold all
-    /// of these cells, each once. The cell itself is at a distance of exactly 0 from itself and drops
-    /// out, as does a cell on the very same spot: it has no direction to push in.
+    /// The step of a patch's own `k`-th cell, in centimetres: as far as it is pushed, and at most half
+    /// the repulsive radius.
     #[inline]
-    pub(super) fn push(
-        &self,
-        near: &Near,
-        windows: [Range<u32>; 2],
-        at: Vec2,
-        kind: usize,
-    ) -> Vec2 {
-        let (x, y) = (f32x4::splat(at.x), f32x4::splat(at.y));
-        let [weight_0, weight_1, weight_2] = self.weights[kind];
-        let (mut sum_x, mut sum_y) = (f32x4::ZERO, f32x4::ZERO);
-        for window in windows {
-            let mut k = window.start as usize;
-            let end = window.end as usize;
-            while k < end {
-                let dx = x - lanes(&near.x, k);
-                let dy = y - lanes(&near.y, k);
-                let other = lanes(&near.kind, k);
-                let squared = dx * dx + dy * dy;
-                let within = squared.simd_lt(self.radius_squared)
-                    & squared.simd_gt(f32x4::ZERO)
-                    & FIRST[(end - k).min(LANES)];
-                let weight = weight_0 + other * (weight_1 + other * weight_2);
-                // (1 - d/r) r / d = r/d - 1
-                let scale = within & (weight * (self.radius / squared.sqrt() - f32x4::ONE));
-                sum_x += dx * scale;
-                sum_y += dy * scale;
-                k += LANES;
-            }
+    pub(super) fn step(&self, near: &Near, k: usize, kind: f32) -> Vec2 {
+        let step = self.push(near, k, kind) * self.repulsion;
+        let squared = step.length_squared();
+        if squared > self.longest_step * self.longest_step {
+            step * (self.longest_step / squared.sqrt())
+        } else {
+            step
         }
-        Vec2::new(total(sum_x), total(sum_y))
     }
+
+    /// The sum of the forces on a patch's own `k`-th cell, in centimetres:
+    /// `sum (1 - adhesion) (1 - d/r) r (x_i - x_j)/d` over the cells within `r`. The cell itself is at
+    /// a distance of exactly 0 from itself and drops out, as does a cell on the very same spot: it has
+    /// no direction to push in.
+    #[inline]
+    fn push(&self, near: &Near, k: usize, kind: f32) -> Vec2 {
+        let at = near.at(k);
+        let weights = &self.weights[kind_index(kind)];
+        let mut sum = Sum { x: f32x4::ZERO, y: f32x4::ZERO };
+        let [one, other] = near.windows(k);
+        self.add_window(&mut sum, near, at, weights, one);
+        self.add_window(&mut sum, near, at, weights, other);
+        Vec2::new(total(sum.x), total(sum.y))
+    }
+
+    /// Adds the forces of the cells of a window.
+    #[inline(always)]
+    fn add_window(
+        &self,
+        sum: &mut Sum,
+        near: &Near,
+        at: Vec2,
+        weights: &[f32x4; 3],
+        window: Range<u32>,
+    ) {
+        let mut k = window.start as usize;
+        let mut left = (window.end - window.start) as usize;
+        // Most windows hold from five to eight cells: to do always two lanes costs less than to go
+        // wrong about a branch.
+        self.add_lanes(sum, near, at, weights, k, first(left, 0));
+        while left > 2 * LANES {
+            k += LANES;
+            left -= LANES;
+            self.add_lanes(sum, near, at, weights, k, ALL);
+        }
+        self.add_lanes(sum, near, at, weights, k + LANES, first(left, 1));
+    }
+
+    /// Adds the forces of four cells, the `k`-th and those that follow, as far as the mask lets them.
+    #[inline(always)]
+    fn add_lanes(
+        &self,
+        sum: &mut Sum,
+        near: &Near,
+        at: Vec2,
+        weights: &[f32x4; 3],
+        k: usize,
+        mask: f32x4,
+    ) {
+        let dx = f32x4::splat(at.x) - lanes(&near.x, k);
+        let dy = f32x4::splat(at.y) - lanes(&near.y, k);
+        let other = lanes(&near.kind, k);
+        let squared = dx * dx + dy * dy;
+        let within = squared.simd_lt(self.radius_squared) & squared.simd_gt(f32x4::ZERO) & mask;
+        let weight = weights[0] + other * (weights[1] + other * weights[2]);
+        // (1 - d/r) r / d = r/d - 1
+        let scale = within & (weight * (self.radius / squared.sqrt() - f32x4::ONE));
+        sum.x += dx * scale;
+        sum.y += dy * scale;
+    }
+}
+
+/// A sum of forces, in lanes.
+struct Sum {
+    x: f32x4,
+    y: f32x4,
+}
+
+/// The type of a cell that is 0.0, 1.0 or 2.0, as an index: the first three bits of the number, which
+/// is quicker than to convert it.
+#[inline]
+fn kind_index(kind: f32) -> usize {
+    (kind.to_bits() >> 29) as usize
 }
 
 fn total(lanes: f32x4) -> f32 {
@@ -95,14 +149,14 @@ fn total(lanes: f32x4) -> f32 {
     (a + b) + (c + d)
 }
 
-/// Masks of the first lanes.
-const FIRST: [f32x4; LANES + 1] = {
-    const ON: f32 = f32::from_bits(u32::MAX);
-    [
-        f32x4::new([0.0; LANES]),
-        f32x4::new([ON, 0.0, 0.0, 0.0]),
-        f32x4::new([ON, ON, 0.0, 0.0]),
-        f32x4::new([ON, ON, ON, 0.0]),
-        f32x4::new([ON; LANES]),
-    ]
-};
+const ON: f32 = f32::from_bits(u32::MAX);
+const ALL: f32x4 = f32x4::new([ON; LANES]);
+
+/// A mask of those lanes that belong to the first `left` numbers, where these are laid out in lanes:
+/// of the first lane, or of the second.
+#[inline(always)]
+fn first(left: usize, lane: usize) -> f32x4 {
+    const MASKS: [f32; 4 * LANES] =
+        [ON, ON, ON, ON, ON, ON, ON, ON, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    lanes(&MASKS, 2 * LANES - left.min(2 * LANES) + lane * LANES)
+}

@@ -1,4 +1,4 @@
-//! Columns of numbers that are read and written four at a time.
+//! Columns of numbers that are read and written four at a time, and how they are sorted.
 
 use wide::f32x4;
 
@@ -9,15 +9,54 @@ pub(crate) const LANES: usize = 4;
 #[inline]
 pub(crate) fn lanes(column: &[f32], row: usize) -> f32x4 {
     debug_assert!(row + LANES <= column.len());
-    // SAFETY: every column ends with `LANES` spare rows, and rows come from `starts` and `len`,
-    // which count rows that are there. A checked load costs the gather a fifth of its time.
+    // SAFETY: every column ends with spare rows, and rows come from `starts` and `len`, which count
+    // rows that are there. A checked load costs the gather a fifth of its time.
     f32x4::new(unsafe { *column.as_ptr().add(row).cast::<[f32; LANES]>() })
 }
 
 /// Four numbers from a row of a column on, to be written.
 #[inline]
-pub(crate) fn lanes_mut(column: &mut [f32], row: usize) -> &mut [f32; LANES] {
+pub(crate) fn lanes_mut<T>(column: &mut [T], row: usize) -> &mut [T; LANES] {
     debug_assert!(row + LANES <= column.len());
     // SAFETY: as above; a patch sees each cell at most once, so `Near` has room for all.
-    unsafe { &mut *column.as_mut_ptr().add(row).cast::<[f32; LANES]>() }
+    unsafe { &mut *column.as_mut_ptr().add(row).cast::<[T; LANES]>() }
+}
+
+/// Sorts rows by their bins, those of one bin in the order in which they stood (counting sort).
+/// `starts` is left with the first row of each of `bins_in_all` bins and the end of the last; `place`
+/// is called with each row's number before and after.
+#[inline]
+pub(super) fn sort_by_bin(
+    bins: &[u32],
+    bins_in_all: usize,
+    starts: &mut Vec<u32>,
+    mut place: impl FnMut(usize, usize),
+) {
+    // Two ahead, so that each start, moved on to the next bin's, ends where it belongs.
+    starts.clear();
+    starts.resize(bins_in_all + 2, 0);
+    for &bin in bins {
+        starts[bin as usize + 2] += 1;
+    }
+    let mut sum = 0;
+    for start in &mut *starts {
+        sum += *start;
+        *start = sum;
+    }
+    for (row, &bin) in bins.iter().enumerate() {
+        let start = &mut starts[bin as usize + 1];
+        place(row, *start as usize);
+        *start += 1;
+    }
+}
+
+/// Copies a number of a column to a row of another.
+///
+/// # Safety
+/// Both columns hold these rows.
+#[inline]
+pub(super) unsafe fn copy<T: Copy>(from: &[T], row: usize, to: &mut [T], to_row: usize) {
+    debug_assert!(row < from.len() && to_row < to.len());
+    // SAFETY: as the caller says.
+    unsafe { *to.get_unchecked_mut(to_row) = *from.get_unchecked(row) }
 }

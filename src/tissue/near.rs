@@ -1,12 +1,12 @@
 //! The cells in and around one patch, unfolded into its plane and sorted into boxes, so that a cell
 //! finds all within the repulsive radius in two rows of them.
 
-use super::lanes::{LANES, lanes, lanes_mut};
+use super::lanes::{LANES, copy, lanes, lanes_mut, sort_by_bin};
 use super::relax::Columns;
 use crate::surface::Image;
 use glam::Vec2;
 use std::ops::Range;
-use wide::f32x4;
+use wide::{f32x4, i32x4};
 
 /// Boxes are twice as high as a cell looks around, so that it sees two rows of them, and this many to
 /// that distance wide. Fewer, and more cells are looked at in vain; more, and there are more boxes than
@@ -18,8 +18,12 @@ const BOXES_PER_LOOK: usize = 3;
 pub(super) struct Near {
     /// In the order in which they were unfolded.
     unsorted: Points,
-    box_of: Vec<i32>,
-    pub(super) len: usize,
+    box_of: Vec<u32>,
+    len: usize,
+    /// Of the patch's own cells, which are unfolded first: the place of their triangle in the plan's
+    /// order, and the first box that they look into.
+    slot_of: Vec<u32>,
+    window_of: Vec<u32>,
     /// In the order of their boxes.
     pub(super) x: Vec<f32>,
     pub(super) y: Vec<f32>,
@@ -43,6 +47,7 @@ struct Points {
 impl Near {
     /// Room for all cells of a day: no patch sees more.
     pub(super) fn reserve(&mut self, cells: usize) {
+        // The force loop reads two lanes from where the last window may begin.
         let rows = cells + 2 * LANES;
         for column in [
             &mut self.unsorted.x,
@@ -54,7 +59,9 @@ impl Near {
         ] {
             column.resize(rows, 0.0);
         }
-        self.box_of.resize(rows, 0);
+        for column in [&mut self.box_of, &mut self.slot_of, &mut self.window_of] {
+            column.resize(rows, 0);
+        }
     }
 
     /// Begins anew, with boxes over the part of the plane from `low` to `high`: it holds all cells
@@ -68,58 +75,79 @@ impl Near {
         self.boxes = (size.y as usize + 2) * self.columns;
     }
 
-    /// Adds the cells of some rows. Whole lanes are written; what is too much is overwritten by the
-    /// next.
+    /// Adds the cells of some rows, of one triangle.
     #[inline]
     pub(super) fn unfold(&mut self, columns: &Columns, image: &Image, rows: Range<usize>) {
+        self.unfold_and(columns, image, rows, |_, _, _, _| ());
+    }
+
+    /// Adds the patch's own cells of some rows, of one triangle.
+    #[inline]
+    pub(super) fn unfold_own(
+        &mut self,
+        columns: &Columns,
+        image: &Image,
+        rows: Range<usize>,
+        slot: usize,
+    ) {
+        let row_length = f32x4::splat(self.columns as f32);
+        self.unfold_and(columns, image, rows, |near, to, box_y, box_column| {
+            let lower_row = (box_y - f32x4::HALF).fast_trunc_int();
+            let window = (lower_row.round_float() * row_length).fast_trunc_int() + box_column
+                - i32x4::splat(BOXES_PER_LOOK as i32);
+            *lanes_mut(&mut near.slot_of, to) = [slot as u32; LANES];
+            *lanes_mut(&mut near.window_of, to) = window.to_array().map(|first| first as u32);
+        });
+    }
+
+    /// Adds the cells of some rows, and hands on the index of each four, how many boxes high they lie
+    /// and their columns of boxes. Whole lanes are written, at least one even if there is no row: to
+    /// go wrong about a branch would cost more. What is too much is overwritten by the next.
+    #[inline]
+    fn unfold_and(
+        &mut self,
+        columns: &Columns,
+        image: &Image,
+        rows: Range<usize>,
+        and: impl Fn(&mut Near, usize, f32x4, i32x4),
+    ) {
         let mut row = rows.start;
         let mut to = self.len;
         let (low_x, low_y) = (f32x4::splat(self.low.x), f32x4::splat(self.low.y));
         let (per_x, per_y) = (f32x4::splat(self.per_cm.x), f32x4::splat(self.per_cm.y));
         let row_length = f32x4::splat(self.columns as f32);
-        while row < rows.end {
+        loop {
             let (x, y) = image.points(lanes(&columns.b1, row), lanes(&columns.b2, row));
             let box_column = ((x - low_x) * per_x).fast_trunc_int();
-            let box_row = ((y - low_y) * per_y).fast_trunc_int();
+            let box_y = (y - low_y) * per_y;
             // Whole numbers far below 2^24 are exact as floats.
-            let box_of = (box_row.round_float() * row_length).fast_trunc_int() + box_column;
-            self.box_of[to..to + LANES].copy_from_slice(&box_of.to_array());
+            let box_row = box_y.fast_trunc_int().round_float();
+            let box_of = (box_row * row_length).fast_trunc_int() + box_column;
+            *lanes_mut(&mut self.box_of, to) = box_of.to_array().map(|b| b as u32);
             *lanes_mut(&mut self.unsorted.x, to) = x.to_array();
             *lanes_mut(&mut self.unsorted.y, to) = y.to_array();
             *lanes_mut(&mut self.unsorted.kind, to) = lanes(&columns.kind, row).to_array();
+            and(self, to, box_y, box_column);
             row += LANES;
             to += LANES;
+            if row >= rows.end {
+                break;
+            }
         }
         self.len += rows.end - rows.start;
     }
 
     /// Sorts the cells into their boxes.
     pub(super) fn sort(&mut self) {
-        let boxes = self.boxes;
-        self.starts.clear();
-        self.starts.resize(boxes + 1, 0);
         let Points { x, y, kind } = &self.unsorted;
-        let box_of = &self.box_of[..self.len];
-        for &b in box_of {
-            self.starts[b as usize + 1] += 1;
-        }
-        let mut sum = 0;
-        for start in &mut self.starts {
-            sum += *start;
-            *start = sum;
-        }
-        let (x, y, kind) = (&x[..self.len], &y[..self.len], &kind[..self.len]);
-        for (k, &b) in box_of.iter().enumerate() {
-            let slot = &mut self.starts[b as usize];
-            let to = *slot as usize;
-            *slot += 1;
-            self.x[to] = x[k];
-            self.y[to] = y[k];
-            self.kind[to] = kind[k];
-        }
-        // Each start has moved on to the next box's.
-        self.starts.copy_within(0..boxes, 1);
-        self.starts[0] = 0;
+        sort_by_bin(&self.box_of[..self.len], self.boxes, &mut self.starts, |k, to| {
+            // SAFETY: all columns are of the same length, at least `len`, as `reserve` made them.
+            unsafe {
+                copy(x, k, &mut self.x, to);
+                copy(y, k, &mut self.y, to);
+                copy(kind, k, &mut self.kind, to);
+            }
+        });
     }
 
     /// Where the `k`-th of the unfolded cells lies.
@@ -128,12 +156,16 @@ impl Near {
         Vec2::new(self.unsorted.x[k], self.unsorted.y[k])
     }
 
-    /// The cells that may be within `look_cm` of a point, in two runs.
+    /// The slots of four of the patch's own cells, the `k`-th and those that follow.
     #[inline]
-    pub(super) fn windows(&self, at: Vec2) -> [Range<u32>; 2] {
-        let boxes = (at - self.low) * self.per_cm;
-        let lower_row = (boxes.y - 0.5) as usize;
-        let first = lower_row * self.columns + boxes.x as usize - BOXES_PER_LOOK;
+    pub(super) fn slots(&self, k: usize) -> [u32; LANES] {
+        self.slot_of[k..k + LANES].try_into().expect("four")
+    }
+
+    /// The cells that may be within `look_cm` of the patch's own `k`-th cell, in two runs.
+    #[inline]
+    pub(super) fn windows(&self, k: usize) -> [Range<u32>; 2] {
+        let first = self.window_of[k] as usize;
         let window = |first: usize| self.starts[first]..self.starts[first + 2 * BOXES_PER_LOOK + 1];
         [window(first), window(first + self.columns)]
     }

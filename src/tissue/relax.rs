@@ -3,9 +3,9 @@
 use super::course::Course;
 use super::forces::ForceLanes;
 use super::ground::Ground;
-use super::lanes::{LANES, lanes};
+use super::lanes::{LANES, copy, lanes, sort_by_bin};
 use super::near::Near;
-use super::plan::{Neighbourhood, Own, Plan, look_cm};
+use super::plan::{Neighbourhood, Plan, look_cm};
 use crate::surface::{Mesh, Place, walk};
 use std::ops::Range;
 use wide::f32x4;
@@ -20,9 +20,8 @@ pub struct Crowd {
     columns: Columns,
     /// The first cell of each bin, and the end of the last.
     starts: Vec<u32>,
-    /// Where the cells have moved to, before they are sorted again, and the cells of each bin then.
+    /// Where the cells have moved to, before they are sorted again.
     moved: Moved,
-    counts: Vec<u32>,
     scratch: Columns,
     near: Near,
     /// Walks that ended among slivers instead of where they were going.
@@ -73,8 +72,6 @@ impl Crowd {
         self.moved.b2.resize(self.cells + LANES, 0.0);
         self.moved.bin.resize(self.cells, 0);
         self.near.reserve(self.cells);
-        self.counts.clear();
-        self.counts.resize(self.plan.bins_in_all() + 1, 0);
         for (number, (place, kind)) in cells.enumerate() {
             self.columns.cell[number] = number as u32;
             self.columns.kind[number] = f32::from(kind);
@@ -111,66 +108,61 @@ impl Crowd {
             let alike = if let Ground::Even(_) = ground { patch.own.len() } else { 1 };
             for first in patch.own.clone().step_by(alike) {
                 let forces = ForceLanes::new(ground.at(self.plan.order[first]));
-                for row in self.rows(self.plan.bins_of(&(first..first + alike))) {
-                    let at = self.near.at(row - own.start);
-                    let kind = self.columns.kind[row] as usize;
-                    let push = forces.push(&self.near, self.near.windows(at), at, kind);
-                    self.moved.b1[row] = push.x;
-                    self.moved.b2[row] = push.y;
+                let rows = self.rows(self.plan.bins_of(&(first..first + alike)));
+                let near_row = rows.start - own.start;
+                let to =
+                    self.moved.b1[rows.clone()].iter_mut().zip(&mut self.moved.b2[rows.clone()]);
+                for ((k, &kind), (x, y)) in self.columns.kind[rows].iter().enumerate().zip(to) {
+                    let step = forces.step(&self.near, near_row + k, kind);
+                    (*x, *y) = (step.x, step.y);
                 }
             }
-            for slot in patch.own {
-                self.step(mesh, slot, ground, course);
-            }
+            self.step(mesh, own, course);
         }
         self.sort();
     }
 
-    /// Moves the cells of a triangle as far as `moved` says they are pushed in the plane of its patch.
-    fn step(&mut self, mesh: &Mesh, slot: usize, ground: &Ground, course: Option<&Course>) {
-        let rows = self.rows(self.plan.bins.of(slot));
-        if rows.is_empty() {
-            return;
-        }
-        let Own { image, to_barycentric } = self.plan.own[slot];
-        let forces = ground.at(image.triangle);
-        let longest = f32x4::splat(0.5 * forces.radius);
-        let repulsion = f32x4::splat(forces.repulsion);
-        let [to_b1, to_b2] = to_barycentric.map(|v| (f32x4::splat(v.x), f32x4::splat(v.y)));
-        let mut row = rows.start;
-        while row < rows.end {
-            let x = lanes(&self.moved.b1, row) * repulsion;
-            let y = lanes(&self.moved.b2, row) * repulsion;
-            let squared = x * x + y * y;
-            let capped = squared.simd_gt(longest * longest);
-            let share = capped.select(longest / squared.sqrt(), f32x4::ONE);
-            let (x, y) = (x * share, y * share);
-            let (change_1, change_2) = (x * to_b1.0 + y * to_b1.1, x * to_b2.0 + y * to_b2.1);
+    /// Moves the cells of some rows, of the patch that was unfolded last, as far as `moved` says in
+    /// its plane.
+    fn step(&mut self, mesh: &Mesh, rows: Range<usize>, course: Option<&Course>) {
+        let bins_in_triangle = self.plan.bins.in_triangle() as u32;
+        for row in rows.clone().step_by(LANES) {
+            let count = (rows.end - row).min(LANES);
+            let mut slots = self.near.slots(row - rows.start);
+            // Behind the last row anything may stand.
+            let last = slots[count - 1];
+            slots[count..].fill(last);
+            let [b1_x, b1_y, b2_x, b2_y] = f32x4::transpose(slots.map(|slot| {
+                let [b1, b2] = self.plan.own[slot as usize].to_barycentric;
+                f32x4::new([b1.x, b1.y, b2.x, b2.y])
+            }));
+            let (x, y) = (lanes(&self.moved.b1, row), lanes(&self.moved.b2, row));
+            let (change_1, change_2) = (x * b1_x + y * b1_y, x * b2_x + y * b2_y);
             let b1 = lanes(&self.columns.b1, row) + change_1;
             let b2 = lanes(&self.columns.b2, row) + change_2;
             let b0 = f32x4::ONE - b1 - b2;
             let inside =
                 b0.simd_ge(f32x4::ZERO) & b1.simd_ge(f32x4::ZERO) & b2.simd_ge(f32x4::ZERO);
             let bins = self.plan.bins.four_within(b1, b2).to_array();
-            let count = (rows.end - row).min(LANES);
             // Along a course every step is turned first.
             let inside = if course.is_none() { inside.to_bitmask() } else { 0 };
             let (b1, b2) = (b1.to_array(), b2.to_array());
             let (change_1, change_2) = (change_1.to_array(), change_2.to_array());
             for lane in 0..count {
+                let slot = slots[lane];
                 if inside & 1 << lane != 0 {
-                    let bin = (slot * self.plan.bins.in_triangle()) as u32 + bins[lane] as u32;
+                    let bin = slot * bins_in_triangle + bins[lane] as u32;
                     self.put(row + lane, bin, b1[lane], b2[lane]);
                 } else {
-                    let triangle = image.triangle as usize;
-                    let step = mesh.frames[triangle].point(change_1[lane], change_2[lane]);
-                    let step = course.map_or(step, |course| course.turn(triangle, step));
-                    let end = walk(mesh, self.place(image.triangle, row + lane), step);
+                    let triangle = self.plan.order[slot as usize];
+                    let frame = &mesh.frames[triangle as usize];
+                    let step = frame.point(change_1[lane], change_2[lane]);
+                    let step = course.map_or(step, |course| course.turn(triangle as usize, step));
+                    let end = walk(mesh, self.place(triangle, row + lane), step);
                     self.caught_walks += u64::from(end.caught);
                     self.move_to(row + lane, end.place);
                 }
             }
-            row += LANES;
         }
     }
 
@@ -179,7 +171,7 @@ impl Crowd {
         self.near.begin(patch.low, patch.high, look_cm);
         for slot in patch.own.clone() {
             let rows = self.rows(self.plan.bins.of(slot));
-            self.near.unfold(&self.columns, &self.plan.own[slot].image, rows);
+            self.near.unfold_own(&self.columns, &self.plan.own[slot].image, rows, slot);
         }
         for run in &self.plan.runs[patch.around.clone()] {
             let rows = self.starts[run.first_bin as usize] as usize
@@ -204,7 +196,6 @@ impl Crowd {
 
     #[inline]
     fn put(&mut self, row: usize, bin: u32, b1: f32, b2: f32) {
-        self.counts[bin as usize + 1] += 1;
         self.moved.b1[row] = b1;
         self.moved.b2[row] = b2;
         self.moved.bin[row] = bin;
@@ -212,25 +203,18 @@ impl Crowd {
 
     /// Sorts the moved cells by their bins; those of one bin keep their order.
     fn sort(&mut self) {
-        std::mem::swap(&mut self.starts, &mut self.counts);
-        let mut sum = 0;
-        for start in &mut self.starts {
-            sum += *start;
-            *start = sum;
-        }
-        self.counts.clone_from(&self.starts);
-        let (b1, b2) = (&self.moved.b1[..self.cells], &self.moved.b2[..self.cells]);
-        let (kind, cell) = (&self.columns.kind[..self.cells], &self.columns.cell[..self.cells]);
-        for (row, &bin) in self.moved.bin.iter().enumerate() {
-            let slot = &mut self.counts[bin as usize];
-            let to = *slot as usize;
-            *slot += 1;
-            self.scratch.b1[to] = b1[row];
-            self.scratch.b2[to] = b2[row];
-            self.scratch.kind[to] = kind[row];
-            self.scratch.cell[to] = cell[row];
-        }
-        self.counts.fill(0);
+        let Moved { b1, b2, bin } = &self.moved;
+        let Columns { kind, cell, .. } = &self.columns;
+        let bins_in_all = self.plan.bins_in_all();
+        sort_by_bin(bin, bins_in_all, &mut self.starts, |row, to| {
+            // SAFETY: all columns are of the same length, more than there are cells.
+            unsafe {
+                copy(b1, row, &mut self.scratch.b1, to);
+                copy(b2, row, &mut self.scratch.b2, to);
+                copy(kind, row, &mut self.scratch.kind, to);
+                copy(cell, row, &mut self.scratch.cell, to);
+            }
+        });
         std::mem::swap(&mut self.columns, &mut self.scratch);
     }
 }
