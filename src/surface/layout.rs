@@ -2,7 +2,7 @@
 //! curvature leaves between them.
 
 use super::chart::{Image, image, unfold};
-use super::lengths::distance;
+use super::lengths::{distance, normalized_or};
 use super::outline::Outline;
 use super::{Mesh, NO_TWIN};
 use glam::Vec2;
@@ -65,6 +65,8 @@ pub(super) struct Layout<'a> {
     image_of: Vec<u32>,
     is_own: Vec<bool>,
     corners: Vec<Corner>,
+    /// For each image those of its triangle's corners.
+    arms: Vec<[Arm; 3]>,
     /// For each vertex of the mesh its index in `corners`, if it has one.
     corner_of: Vec<u32>,
     centre: Vec2,
@@ -84,6 +86,7 @@ impl<'a> Layout<'a> {
             image_of: vec![NONE; mesh.triangles.len()],
             is_own: vec![false; mesh.triangles.len()],
             corners: Vec::new(),
+            arms: Vec::new(),
             corner_of: vec![NONE; mesh.positions.len()],
             centre: Vec2::ZERO,
             portals: Vec::new(),
@@ -230,47 +233,46 @@ impl<'a> Layout<'a> {
     /// Surface Modeling, SGP 2007, in the plane).
     fn fit_together(&mut self) {
         self.corners.clear();
+        self.arms.clear();
         for image in &self.images {
-            for (&vertex, corner) in
-                self.mesh.triangles[image.triangle as usize].iter().zip(image.corners())
-            {
-                let known = self.corner_of[vertex as usize] as usize;
-                let number = match self.corners.get(known) {
-                    Some(c) if c.vertex == vertex => known,
+            let vertices = self.mesh.triangles[image.triangle as usize];
+            let corners = image.corners();
+            let shape = self.mesh.frames[image.triangle as usize].corners();
+            let centroid = (shape[1] + shape[2]) / 3.0;
+            self.arms.push(std::array::from_fn(|k| {
+                let known = self.corner_of[vertices[k] as usize] as usize;
+                let corner = match self.corners.get(known) {
+                    Some(c) if c.vertex == vertices[k] => known,
                     _ => {
-                        self.corner_of[vertex as usize] = self.corners.len() as u32;
-                        self.corners.push(Corner { vertex, ..Corner::default() });
+                        self.corner_of[vertices[k] as usize] = self.corners.len() as u32;
+                        self.corners.push(Corner { vertex: vertices[k], ..Corner::default() });
                         self.corners.len() - 1
                     }
                 };
-                self.corners[number].wish(corner);
-            }
+                self.corners[corner].wish(corners[k]);
+                Arm { corner: corner as u32, from_centroid: shape[k] - centroid }
+            }));
         }
         for _ in 0..FITTING_ROUNDS {
             self.corners.iter_mut().for_each(Corner::settle);
-            for image in &self.images {
-                let numbers = self.mesh.triangles[image.triangle as usize]
-                    .map(|vertex| self.corner_of[vertex as usize] as usize);
-                let now = numbers.map(|number| self.corners[number].at);
-                let shape = self.mesh.frames[image.triangle as usize].corners();
+            for arms in &self.arms {
+                let now = arms.map(|arm| self.corners[arm.corner as usize].at);
                 let middle = (now[0] + now[1] + now[2]) / 3.0;
-                let centroid = (shape[1] + shape[2]) / 3.0;
                 // The rotation that fits best, as a complex number.
-                let turn = (0..3).fold(Vec2::ZERO, |sum, k| {
-                    let (arm, wanted) = (shape[k] - centroid, now[k] - middle);
+                let turn = arms.iter().zip(now).fold(Vec2::ZERO, |sum, (arm, now)| {
+                    let (arm, wanted) = (arm.from_centroid, now - middle);
                     sum + Vec2::new(arm.dot(wanted), arm.perp_dot(wanted))
                 });
-                let turn = turn.normalize_or(Vec2::X);
-                for k in 0..3 {
-                    self.corners[numbers[k]].wish(middle + turn.rotate(shape[k] - centroid));
+                let turn = normalized_or(turn, Vec2::X);
+                for arm in arms {
+                    self.corners[arm.corner as usize].wish(middle + turn.rotate(arm.from_centroid));
                 }
             }
         }
         self.corners.iter_mut().for_each(Corner::settle);
-        for known in &mut self.images {
-            let [a, b, c] = self.mesh.triangles[known.triangle as usize]
-                .map(|vertex| self.corners[self.corner_of[vertex as usize] as usize].at);
-            *known = image(known.triangle, 0.0, [a, b, c]);
+        for (known, arms) in self.images.iter_mut().zip(&self.arms) {
+            let corners = arms.map(|arm| self.corners[arm.corner as usize].at);
+            *known = image(known.triangle, 0.0, corners);
         }
     }
 
@@ -304,6 +306,14 @@ impl<'a> Layout<'a> {
         }
         sum <= FLAT.mean * count
     }
+}
+
+/// A corner of a triangle, seen from its centroid in its own frame.
+#[derive(Clone, Copy, Debug)]
+struct Arm {
+    /// Its index in `corners`.
+    corner: u32,
+    from_centroid: Vec2,
 }
 
 /// Where triangles of a patch meet.

@@ -17,7 +17,8 @@ impl Outline {
     /// The convex hull (A. M. Andrew, Another efficient algorithm for convex hulls in two
     /// dimensions, Information Processing Letters 9, 1979).
     pub(super) fn around(mut points: Vec<Vec2>) -> Outline {
-        points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        points.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        points.dedup();
         let mut hull: Vec<Vec2> = Vec::new();
         for pass in 0..2 {
             let done = hull.len() + 1 - pass;

@@ -33,8 +33,6 @@ impl Forces {
 
 /// The forces of a day, in all lanes.
 pub(super) struct ForceLanes {
-    longest_step: f32,
-    repulsion: f32,
     radius: f32x4,
     radius_squared: f32x4,
     /// For each type of cell the parabola through the weights of its neighbours' types: cheaper than
@@ -45,8 +43,6 @@ pub(super) struct ForceLanes {
 impl ForceLanes {
     pub(super) fn new(forces: &Forces) -> ForceLanes {
         ForceLanes {
-            longest_step: 0.5 * forces.radius,
-            repulsion: forces.repulsion,
             radius: f32x4::splat(forces.radius),
             radius_squared: f32x4::splat(forces.radius * forces.radius),
             weights: forces.weights.map(|[at_0, at_1, at_2]| {
@@ -56,39 +52,26 @@ impl ForceLanes {
         }
     }
 
-    /// The step of a patch's own `k`-th cell, in centimetres: as far as it is pushed, and at most half
-    /// the repulsive radius.
-    #[inline]
-    pub(super) fn step(&self, near: &Near, k: usize, kind: f32) -> Vec2 {
-        let step = self.push(near, k, kind) * self.repulsion;
-        let squared = step.length_squared();
-        if squared > self.longest_step * self.longest_step {
-            step * (self.longest_step / squared.sqrt())
-        } else {
-            step
-        }
-    }
-
-    /// The sum of the forces on a patch's own `k`-th cell, in centimetres:
+    /// The forces on a patch's own `k`-th cell, in centimetres:
     /// `sum (1 - adhesion) (1 - d/r) r (x_i - x_j)/d` over the cells within `r`. The cell itself is at
     /// a distance of exactly 0 from itself and drops out, as does a cell on the very same spot: it has
     /// no direction to push in.
     #[inline]
-    fn push(&self, near: &Near, k: usize, kind: f32) -> Vec2 {
+    pub(super) fn push(&self, near: &Near, k: usize, kind: f32) -> Push {
         let at = near.at(k);
         let weights = &self.weights[kind_index(kind)];
-        let mut sum = Sum { x: f32x4::ZERO, y: f32x4::ZERO };
+        let mut sum = Push::default();
         let [one, other] = near.windows(k);
         self.add_window(&mut sum, near, at, weights, one);
         self.add_window(&mut sum, near, at, weights, other);
-        Vec2::new(total(sum.x), total(sum.y))
+        sum
     }
 
     /// Adds the forces of the cells of a window.
     #[inline(always)]
     fn add_window(
         &self,
-        sum: &mut Sum,
+        sum: &mut Push,
         near: &Near,
         at: Vec2,
         weights: &[f32x4; 3],
@@ -111,7 +94,7 @@ impl ForceLanes {
     #[inline(always)]
     fn add_lanes(
         &self,
-        sum: &mut Sum,
+        sum: &mut Push,
         near: &Near,
         at: Vec2,
         weights: &[f32x4; 3],
@@ -131,10 +114,23 @@ impl ForceLanes {
     }
 }
 
-/// A sum of forces, in lanes.
-struct Sum {
+/// The forces on a cell: every fourth neighbour's sum in a lane.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Push {
     x: f32x4,
     y: f32x4,
+}
+
+impl Push {
+    /// The whole forces on four cells, as x and y.
+    #[inline]
+    pub(super) fn totals(four: &[Push; LANES]) -> (f32x4, f32x4) {
+        let total = |sums: [f32x4; LANES]| {
+            let [a, b, c, d] = f32x4::transpose(sums);
+            (a + b) + (c + d)
+        };
+        (total(four.map(|push| push.x)), total(four.map(|push| push.y)))
+    }
 }
 
 /// The type of a cell that is 0.0, 1.0 or 2.0, as an index: the first three bits of the number, which
@@ -142,11 +138,6 @@ struct Sum {
 #[inline]
 fn kind_index(kind: f32) -> usize {
     (kind.to_bits() >> 29) as usize
-}
-
-fn total(lanes: f32x4) -> f32 {
-    let [a, b, c, d] = lanes.to_array();
-    (a + b) + (c + d)
 }
 
 const ON: f32 = f32::from_bits(u32::MAX);

@@ -1,7 +1,7 @@
 //! Relaxation: the cells push each other away, all together (Thesis 3.2.1.1).
 
 use super::course::Course;
-use super::forces::ForceLanes;
+use super::forces::{ForceLanes, Push};
 use super::ground::Ground;
 use super::lanes::{LANES, copy, lanes, sort_by_bin};
 use super::near::Near;
@@ -24,6 +24,8 @@ pub struct Crowd {
     moved: Moved,
     scratch: Columns,
     near: Near,
+    /// On the cells of the patch that was unfolded last.
+    pushes: Vec<Push>,
     /// Walks that ended among slivers instead of where they were going.
     pub caught_walks: u64,
 }
@@ -72,6 +74,7 @@ impl Crowd {
         self.moved.b2.resize(self.cells + LANES, 0.0);
         self.moved.bin.resize(self.cells, 0);
         self.near.reserve(self.cells);
+        self.pushes.resize(self.cells + LANES, Push::default());
         for (number, (place, kind)) in cells.enumerate() {
             self.columns.cell[number] = number as u32;
             self.columns.kind[number] = f32::from(kind);
@@ -110,21 +113,20 @@ impl Crowd {
                 let forces = ForceLanes::new(ground.at(self.plan.order[first]));
                 let rows = self.rows(self.plan.bins_of(&(first..first + alike)));
                 let near_row = rows.start - own.start;
-                let to =
-                    self.moved.b1[rows.clone()].iter_mut().zip(&mut self.moved.b2[rows.clone()]);
-                for ((k, &kind), (x, y)) in self.columns.kind[rows].iter().enumerate().zip(to) {
-                    let step = forces.step(&self.near, near_row + k, kind);
-                    (*x, *y) = (step.x, step.y);
+                let kinds = &self.columns.kind[rows];
+                for ((k, &kind), push) in kinds.iter().enumerate().zip(&mut self.pushes[near_row..])
+                {
+                    *push = forces.push(&self.near, near_row + k, kind);
                 }
             }
-            self.step(mesh, own, course);
+            self.step(mesh, own, ground, course);
         }
         self.sort();
     }
 
-    /// Moves the cells of some rows, of the patch that was unfolded last, as far as `moved` says in
-    /// its plane.
-    fn step(&mut self, mesh: &Mesh, rows: Range<usize>, course: Option<&Course>) {
+    /// Moves the cells of some rows, of the patch that was unfolded last, as they are pushed in its
+    /// plane: at most half the repulsive radius far.
+    fn step(&mut self, mesh: &Mesh, rows: Range<usize>, ground: &Ground, course: Option<&Course>) {
         let bins_in_triangle = self.plan.bins.in_triangle() as u32;
         for row in rows.clone().step_by(LANES) {
             let count = (rows.end - row).min(LANES);
@@ -136,7 +138,16 @@ impl Crowd {
                 let [b1, b2] = self.plan.own[slot as usize].to_barycentric;
                 f32x4::new([b1.x, b1.y, b2.x, b2.y])
             }));
-            let (x, y) = (lanes(&self.moved.b1, row), lanes(&self.moved.b2, row));
+            let pushes = self.pushes[row - rows.start..][..LANES].try_into().expect("four");
+            let (x, y) = Push::totals(pushes);
+            let local = slots.map(|slot| ground.at(self.plan.order[slot as usize]));
+            let repulsion = f32x4::new(local.map(|forces| forces.repulsion));
+            let longest = f32x4::HALF * f32x4::new(local.map(|forces| forces.radius));
+            let (x, y) = (x * repulsion, y * repulsion);
+            let squared = x * x + y * y;
+            let capped = squared.simd_gt(longest * longest);
+            let share = capped.select(longest / squared.sqrt(), f32x4::ONE);
+            let (x, y) = (x * share, y * share);
             let (change_1, change_2) = (x * b1_x + y * b1_y, x * b2_x + y * b2_y);
             let b1 = lanes(&self.columns.b1, row) + change_1;
             let b2 = lanes(&self.columns.b2, row) + change_2;
