@@ -19,14 +19,14 @@ pub struct Setting<'a> {
     pub controls: &'a [Control],
 }
 
-/// The clocks of all cells, by their numbers, and the queue of the divisions to come.
+/// The clocks of all cells, by their numbers, and the calendar of the divisions to come.
 pub struct Clocks {
     /// Keys of the cells' chance, from the seed and their lineage alone.
     keys: Vec<u64>,
     /// Divisions that each cell has been through.
     turns: Vec<u32>,
-    /// The first one first.
-    due: BinaryHeap<Reverse<Due>>,
+    /// For each day those that fall due on it, the first one first.
+    due: Vec<BinaryHeap<Reverse<Due>>>,
     /// Divisions that have been told so far.
     told: u32,
 }
@@ -46,7 +46,7 @@ impl Clocks {
         let mut clocks = Clocks {
             keys: (0..founders.len() as u32).map(|f| founder_key(seed, f)).collect(),
             turns: vec![0; founders.len()],
-            due: BinaryHeap::new(),
+            due: vec![BinaryHeap::new(); setting.recipe.days as usize],
             told: 0,
         };
         for (cell, (founder, &place)) in founders.iter().zip(places).enumerate() {
@@ -56,16 +56,24 @@ impl Clocks {
     }
 
     /// Lets the clock of each first cell begin on a day of its own.
-    pub fn delay(&mut self, first_days: &[u32], last_day: u32) {
-        let delayed = |Reverse(due): Reverse<Due>| {
+    pub fn delay(&mut self, first_days: &[u32]) {
+        let days = self.due.len();
+        let due = std::mem::replace(&mut self.due, vec![BinaryHeap::new(); days]);
+        for Reverse(due) in due.into_iter().flatten() {
             let time = f64::from_bits(due.time) + f64::from(first_days[due.cell as usize]);
-            (time < f64::from(last_day)).then_some(Reverse(Due { time: time.to_bits(), ..due }))
-        };
-        self.due = std::mem::take(&mut self.due).into_iter().filter_map(delayed).collect();
+            self.note(Due { time: time.to_bits(), ..due });
+        }
     }
 
-    /// Draws the time of a cell's next division, in days since day 0. Divisions that the recipe's
-    /// last day does not see are forgotten.
+    /// Puts a division down in the calendar. Those that the recipe's last day does not see are
+    /// forgotten.
+    fn note(&mut self, due: Due) {
+        if let Some(day) = self.due.get_mut(f64::from_bits(due.time) as usize) {
+            day.push(Reverse(due));
+        }
+    }
+
+    /// Draws the time of a cell's next division, in days since day 0.
     fn wind(&mut self, setting: &Setting, cell: u32, kind: CellType, place: Place, now: f64) {
         let (key, turn) = (self.keys[cell as usize], self.turns[cell as usize]);
         let u = uniform(key, turn, Purpose::Clock);
@@ -74,21 +82,14 @@ impl Clocks {
             Clock::Poisson => f64::from(poisson(mean, u)),
             Clock::Exponential => exponential(mean, u),
         };
-        let time = now + wait;
-        if time < f64::from(setting.recipe.days) {
-            self.due.push(Reverse(Due { time: time.to_bits(), told: self.told, cell }));
-            self.told += 1;
-        }
+        self.note(Due { time: (now + wait).to_bits(), told: self.told, cell });
+        self.told += 1;
     }
 
-    /// The next division that falls due before a day.
+    /// The next division that falls due on the day before a day: those of earlier days are done.
     fn next_before(&mut self, day: usize) -> Option<(f64, u32)> {
-        let Reverse(due) = *self.due.peek()?;
-        let time = f64::from_bits(due.time);
-        (time < day as f64).then(|| {
-            self.due.pop();
-            (time, due.cell)
-        })
+        let Reverse(due) = self.due[day - 1].pop()?;
+        Some((f64::from_bits(due.time), due.cell))
     }
 
     /// Divides every cell that falls due strictly before a day, in the order of time, children that
@@ -176,7 +177,7 @@ mod tests {
                 }
             }
             assert!((460..500).contains(&divided), "{divided} of 500 in 9 days");
-            assert!(clocks.due.is_empty(), "what no day sees is forgotten");
+            assert!(clocks.due.iter().all(BinaryHeap::is_empty), "each has come");
         }
     }
 }

@@ -92,7 +92,7 @@ impl Growth {
     pub fn unfolding(mut self, days: &[u32]) -> Growth {
         self.unfolding_days = days.to_vec();
         let first_days: Vec<u32> = self.places.iter().map(|p| self.unfolding_day(p)).collect();
-        self.clocks.delay(&first_days, self.recipe.days);
+        self.clocks.delay(&first_days);
         self
     }
 
@@ -168,9 +168,11 @@ impl Growth {
         let day = self.diary.days.len();
         let mut places = self.crowd.places();
         // Parts do not feel each other: what has not unfolded is simply put back.
-        for (place, before) in places.iter_mut().zip(&self.places) {
-            if day > 0 && day as u32 <= self.unfolding_day(before) {
-                *place = *before;
+        if day > 0 && !self.unfolding_days.is_empty() {
+            for (place, before) in places.iter_mut().zip(&self.places) {
+                if day as u32 <= self.unfolding_day(before) {
+                    *place = *before;
+                }
             }
         }
         let cells = places.len();

@@ -1,8 +1,8 @@
 //! The cells in and around one patch, unfolded into its plane and sorted into boxes, so that a cell
 //! finds all within the repulsive radius in two rows of them.
 
-use super::lanes::{LANES, copy, lanes, lanes_mut, sort_by_bin};
-use super::relax::Columns;
+use super::lanes::{LANES, copy, lanes_mut, sort_by_bin};
+use super::relax::{Row, four};
 use crate::surface::Image;
 use glam::Vec2;
 use std::ops::Range;
@@ -23,6 +23,7 @@ pub(super) struct Near {
     /// Of the patch's own cells, which are unfolded first: the place of their triangle in the plan's
     /// order, and the first box that they look into.
     slot_of: Vec<u32>,
+    first_bin_of: Vec<u32>,
     window_of: Vec<u32>,
     /// In the order of their boxes.
     pub(super) x: Vec<f32>,
@@ -59,7 +60,9 @@ impl Near {
         ] {
             column.resize(rows, 0.0);
         }
-        for column in [&mut self.box_of, &mut self.slot_of, &mut self.window_of] {
+        for column in
+            [&mut self.box_of, &mut self.slot_of, &mut self.first_bin_of, &mut self.window_of]
+        {
             column.resize(rows, 0);
         }
     }
@@ -77,25 +80,27 @@ impl Near {
 
     /// Adds the cells of some rows, of one triangle.
     #[inline]
-    pub(super) fn unfold(&mut self, columns: &Columns, image: &Image, rows: Range<usize>) {
-        self.unfold_and(columns, image, rows, |_, _, _, _| ());
+    pub(super) fn unfold(&mut self, all: &[Row], image: &Image, rows: Range<usize>) {
+        self.unfold_and(all, image, rows, |_, _, _, _| ());
     }
 
     /// Adds the patch's own cells of some rows, of one triangle.
     #[inline]
     pub(super) fn unfold_own(
         &mut self,
-        columns: &Columns,
+        all: &[Row],
         image: &Image,
         rows: Range<usize>,
         slot: usize,
+        first_bin: usize,
     ) {
         let row_length = f32x4::splat(self.columns as f32);
-        self.unfold_and(columns, image, rows, |near, to, box_y, box_column| {
+        self.unfold_and(all, image, rows, |near, to, box_y, box_column| {
             let lower_row = (box_y - f32x4::HALF).fast_trunc_int();
             let window = (lower_row.round_float() * row_length).fast_trunc_int() + box_column
                 - i32x4::splat(BOXES_PER_LOOK as i32);
             *lanes_mut(&mut near.slot_of, to) = [slot as u32; LANES];
+            *lanes_mut(&mut near.first_bin_of, to) = [first_bin as u32; LANES];
             *lanes_mut(&mut near.window_of, to) = window.to_array().map(|first| first as u32);
         });
     }
@@ -106,7 +111,7 @@ impl Near {
     #[inline]
     fn unfold_and(
         &mut self,
-        columns: &Columns,
+        all: &[Row],
         image: &Image,
         rows: Range<usize>,
         and: impl Fn(&mut Near, usize, f32x4, i32x4),
@@ -117,7 +122,8 @@ impl Near {
         let (per_x, per_y) = (f32x4::splat(self.per_cm.x), f32x4::splat(self.per_cm.y));
         let row_length = f32x4::splat(self.columns as f32);
         loop {
-            let (x, y) = image.points(lanes(&columns.b1, row), lanes(&columns.b2, row));
+            let [b1, b2, kind, _] = four(all, row);
+            let (x, y) = image.points(b1, b2);
             let box_column = ((x - low_x) * per_x).fast_trunc_int();
             let box_y = (y - low_y) * per_y;
             // Whole numbers far below 2^24 are exact as floats.
@@ -126,7 +132,7 @@ impl Near {
             *lanes_mut(&mut self.box_of, to) = box_of.to_array().map(|b| b as u32);
             *lanes_mut(&mut self.unsorted.x, to) = x.to_array();
             *lanes_mut(&mut self.unsorted.y, to) = y.to_array();
-            *lanes_mut(&mut self.unsorted.kind, to) = lanes(&columns.kind, row).to_array();
+            *lanes_mut(&mut self.unsorted.kind, to) = kind.to_array();
             and(self, to, box_y, box_column);
             row += LANES;
             to += LANES;
@@ -160,6 +166,12 @@ impl Near {
     #[inline]
     pub(super) fn slots(&self, k: usize) -> [u32; LANES] {
         self.slot_of[k..k + LANES].try_into().expect("four")
+    }
+
+    #[inline]
+    pub(super) fn first_bins(&self, k: usize) -> i32x4 {
+        let four: [u32; LANES] = self.first_bin_of[k..k + LANES].try_into().expect("four");
+        i32x4::new(four.map(|bin| bin as i32))
     }
 
     /// The cells that may be within `look_cm` of the patch's own `k`-th cell, in two runs.
