@@ -1,8 +1,9 @@
 //! Bins: the triangles of a mesh, each cut into equal ones where many cells share it.
 
+use super::lanes::{integers, whole};
 use crate::surface::{Frame, Mesh, Place, distance};
 use std::ops::Range;
-use wide::{f32x4, i32x4};
+use wide::{f32x4, u32x4};
 
 /// Cuts along an edge at most: their square is the bins of a triangle.
 const MAX_CUTS: usize = 32;
@@ -72,18 +73,17 @@ impl Bins {
 
     /// As `within`, for four places.
     #[inline]
-    pub fn four_within(&self, b1: f32x4, b2: f32x4) -> i32x4 {
+    pub(super) fn four_within(&self, b1: f32x4, b2: f32x4) -> u32x4 {
         if self.cuts == 1 {
-            return i32x4::ZERO;
+            return u32x4::ZERO;
         }
         let (cuts, one) = (f32x4::splat(self.cuts as f32), f32x4::ONE);
-        let floor = |v: f32x4| v.fast_trunc_int().round_float();
         let (x, y) = (b1 * cuts, b2 * cuts);
-        let i = floor(x).fast_min(cuts - one);
-        let j = floor(y).fast_min(cuts - one - i);
+        let i = whole(x).fast_min(cuts - one);
+        let j = whole(y).fast_min(cuts - one - i);
         let points_down = ((x - i) + (y - j)).simd_gt(one) & (i + j + one).simd_lt(cuts) & one;
         // Whole numbers up to `MAX_CUTS` squared are exact as floats.
-        (i * (cuts + cuts - i) + j + j + points_down).fast_trunc_int()
+        integers(i * (cuts + cuts - i) + j + j + points_down)
     }
 
     /// The centroid of a bin of a triangle, as `b1` and `b2`.

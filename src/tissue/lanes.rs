@@ -1,6 +1,6 @@
 //! Columns of numbers that are read and written four at a time, and how they are sorted.
 
-use wide::f32x4;
+use wide::{f32x4, u32x4};
 
 /// Numbers that are worked on side by side.
 pub(crate) const LANES: usize = 4;
@@ -22,6 +22,25 @@ pub(crate) fn lanes_mut<T>(column: &mut [T], row: usize) -> &mut [T; LANES] {
     unsafe { &mut *column.as_mut_ptr().add(row).cast::<[T; LANES]>() }
 }
 
+/// The whole parts of numbers from 0 up to 2^23.
+#[inline]
+pub(super) fn whole(numbers: f32x4) -> f32x4 {
+    // To convert them costs wasm, which has to look out for all others, six times as much.
+    if cfg!(target_feature = "simd128") {
+        numbers.floor()
+    } else {
+        numbers.fast_trunc_int().round_float()
+    }
+}
+
+/// Whole numbers from 0 up to 2^23 as integers.
+#[inline]
+pub(super) fn integers(whole: f32x4) -> u32x4 {
+    const SHIFT: f32 = (1 << 23) as f32;
+    let shifted: u32x4 = bytemuck::cast(whole + f32x4::splat(SHIFT));
+    shifted & u32x4::splat((1 << 23) - 1)
+}
+
 /// Sorts rows by their bins, those of one bin in the order in which they stood (counting sort).
 /// `starts` is left with the first row of each of `bins_in_all` bins and the end of the last; `place`
 /// is called with each row's number before and after.
@@ -33,8 +52,8 @@ pub(super) fn sort_by_bin(
     mut place: impl FnMut(usize, usize),
 ) {
     // Two ahead, so that each start, moved on to the next bin's, ends where it belongs.
-    starts.clear();
     starts.resize(bins_in_all + 2, 0);
+    starts.fill(0);
     for &bin in bins {
         starts[bin as usize + 2] += 1;
     }

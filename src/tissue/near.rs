@@ -1,12 +1,12 @@
 //! The cells in and around one patch, unfolded into its plane and sorted into boxes, so that a cell
 //! finds all within the repulsive radius in two rows of them.
 
-use super::lanes::{LANES, copy, lanes_mut, sort_by_bin};
+use super::lanes::{LANES, copy, integers, lanes_mut, sort_by_bin, whole};
 use super::relax::{Row, four};
 use crate::surface::Image;
 use glam::Vec2;
 use std::ops::Range;
-use wide::{f32x4, i32x4};
+use wide::{f32x4, u32x4};
 
 /// Boxes are twice as high as a cell looks around, so that it sees two rows of them, and this many to
 /// that distance wide. Fewer, and more cells are looked at in vain; more, and there are more boxes than
@@ -96,12 +96,12 @@ impl Near {
     ) {
         let row_length = f32x4::splat(self.columns as f32);
         self.unfold_and(all, image, rows, |near, to, box_y, box_column| {
-            let lower_row = (box_y - f32x4::HALF).fast_trunc_int();
-            let window = (lower_row.round_float() * row_length).fast_trunc_int() + box_column
-                - i32x4::splat(BOXES_PER_LOOK as i32);
+            let lower_row = whole(box_y - f32x4::HALF);
+            let left = box_column - f32x4::splat(BOXES_PER_LOOK as f32);
+            let window = integers(lower_row * row_length + left);
             *lanes_mut(&mut near.slot_of, to) = [slot as u32; LANES];
             *lanes_mut(&mut near.first_bin_of, to) = [first_bin as u32; LANES];
-            *lanes_mut(&mut near.window_of, to) = window.to_array().map(|first| first as u32);
+            *lanes_mut(&mut near.window_of, to) = window.to_array();
         });
     }
 
@@ -114,7 +114,7 @@ impl Near {
         all: &[Row],
         image: &Image,
         rows: Range<usize>,
-        and: impl Fn(&mut Near, usize, f32x4, i32x4),
+        and: impl Fn(&mut Near, usize, f32x4, f32x4),
     ) {
         let mut row = rows.start;
         let mut to = self.len;
@@ -124,12 +124,10 @@ impl Near {
         loop {
             let [b1, b2, kind, _] = four(all, row);
             let (x, y) = image.points(b1, b2);
-            let box_column = ((x - low_x) * per_x).fast_trunc_int();
+            let box_column = whole((x - low_x) * per_x);
             let box_y = (y - low_y) * per_y;
-            // Whole numbers far below 2^24 are exact as floats.
-            let box_row = box_y.fast_trunc_int().round_float();
-            let box_of = (box_row * row_length).fast_trunc_int() + box_column;
-            *lanes_mut(&mut self.box_of, to) = box_of.to_array().map(|b| b as u32);
+            let box_of = integers(whole(box_y) * row_length + box_column);
+            *lanes_mut(&mut self.box_of, to) = box_of.to_array();
             *lanes_mut(&mut self.unsorted.x, to) = x.to_array();
             *lanes_mut(&mut self.unsorted.y, to) = y.to_array();
             *lanes_mut(&mut self.unsorted.kind, to) = kind.to_array();
@@ -169,9 +167,8 @@ impl Near {
     }
 
     #[inline]
-    pub(super) fn first_bins(&self, k: usize) -> i32x4 {
-        let four: [u32; LANES] = self.first_bin_of[k..k + LANES].try_into().expect("four");
-        i32x4::new(four.map(|bin| bin as i32))
+    pub(super) fn first_bins(&self, k: usize) -> u32x4 {
+        u32x4::new(self.first_bin_of[k..k + LANES].try_into().expect("four"))
     }
 
     /// The cells that may be within `look_cm` of the patch's own `k`-th cell, in two runs.

@@ -153,7 +153,7 @@ impl Crowd {
             let b0 = f32x4::ONE - b1 - b2;
             put_four(&mut self.moved, row, [b1, b2, kind, cell]);
             let bins = self.near.first_bins(k) + self.plan.bins.four_within(b1, b2);
-            *lanes_mut(&mut self.bins, row) = bins.to_array().map(|bin| bin as u32);
+            *lanes_mut(&mut self.bins, row) = bins.to_array();
             // Most steps stay in their triangle. Along a course every step is turned first.
             let inside =
                 b0.simd_ge(f32x4::ZERO) & b1.simd_ge(f32x4::ZERO) & b2.simd_ge(f32x4::ZERO);
