@@ -1,7 +1,7 @@
 //! The cells in and around one patch, unfolded into its plane and sorted into boxes, so that a cell
 //! finds all within the repulsive radius in two rows of them.
 
-use super::lanes::{LANES, copy, integers, lanes_mut, sort_by_bin, whole};
+use super::lanes::{LANES, copy, integers, lanes, lanes_mut, sort_by_bin, whole};
 use super::relax::{Row, four};
 use crate::surface::Image;
 use glam::Vec2;
@@ -20,6 +20,7 @@ pub(super) struct Near {
     unsorted: Points,
     box_of: Vec<u32>,
     len: usize,
+    own: usize,
     /// Of the patch's own cells, which are unfolded first: the place of their triangle in the plan's
     /// order, and the first box that they look into.
     slot_of: Vec<u32>,
@@ -78,10 +79,26 @@ impl Near {
         self.boxes = (size.y as usize + 2) * self.columns;
     }
 
-    /// Adds the cells of some rows, of one triangle.
+    /// Adds the cells of some rows, of one triangle. Whole lanes are written, at least one even if
+    /// there is no row: to go wrong about a branch would cost more. What is too much is overwritten by
+    /// the next.
     #[inline]
     pub(super) fn unfold(&mut self, all: &[Row], image: &Image, rows: Range<usize>) {
-        self.unfold_and(all, image, rows, |_, _, _, _| ());
+        let mut row = rows.start;
+        let mut to = self.len;
+        self.len += rows.len();
+        loop {
+            let [b1, b2, kind, _] = four(all, row);
+            let (x, y) = image.points(b1, b2);
+            *lanes_mut(&mut self.unsorted.x, to) = x.to_array();
+            *lanes_mut(&mut self.unsorted.y, to) = y.to_array();
+            *lanes_mut(&mut self.unsorted.kind, to) = kind.to_array();
+            row += LANES;
+            to += LANES;
+            if row >= rows.end {
+                break;
+            }
+        }
     }
 
     /// Adds the patch's own cells of some rows, of one triangle.
@@ -94,55 +111,41 @@ impl Near {
         slot: usize,
         first_bin: usize,
     ) {
-        let row_length = f32x4::splat(self.columns as f32);
-        self.unfold_and(all, image, rows, |near, to, box_y, box_column| {
-            let lower_row = whole(box_y - f32x4::HALF);
-            let left = box_column - f32x4::splat(BOXES_PER_LOOK as f32);
-            let window = integers(lower_row * row_length + left);
-            *lanes_mut(&mut near.slot_of, to) = [slot as u32; LANES];
-            *lanes_mut(&mut near.first_bin_of, to) = [first_bin as u32; LANES];
-            *lanes_mut(&mut near.window_of, to) = window.to_array();
-        });
-    }
-
-    /// Adds the cells of some rows, and hands on the index of each four, how many boxes high they lie
-    /// and their columns of boxes. Whole lanes are written, at least one even if there is no row: to
-    /// go wrong about a branch would cost more. What is too much is overwritten by the next.
-    #[inline]
-    fn unfold_and(
-        &mut self,
-        all: &[Row],
-        image: &Image,
-        rows: Range<usize>,
-        and: impl Fn(&mut Near, usize, f32x4, f32x4),
-    ) {
-        let mut row = rows.start;
         let mut to = self.len;
-        let (low_x, low_y) = (f32x4::splat(self.low.x), f32x4::splat(self.low.y));
-        let (per_x, per_y) = (f32x4::splat(self.per_cm.x), f32x4::splat(self.per_cm.y));
-        let row_length = f32x4::splat(self.columns as f32);
+        self.unfold(all, image, rows);
+        self.own = self.len;
         loop {
-            let [b1, b2, kind, _] = four(all, row);
-            let (x, y) = image.points(b1, b2);
-            let box_column = whole((x - low_x) * per_x);
-            let box_y = (y - low_y) * per_y;
-            let box_of = integers(whole(box_y) * row_length + box_column);
-            *lanes_mut(&mut self.box_of, to) = box_of.to_array();
-            *lanes_mut(&mut self.unsorted.x, to) = x.to_array();
-            *lanes_mut(&mut self.unsorted.y, to) = y.to_array();
-            *lanes_mut(&mut self.unsorted.kind, to) = kind.to_array();
-            and(self, to, box_y, box_column);
-            row += LANES;
+            *lanes_mut(&mut self.slot_of, to) = [slot as u32; LANES];
+            *lanes_mut(&mut self.first_bin_of, to) = [first_bin as u32; LANES];
             to += LANES;
-            if row >= rows.end {
+            if to >= self.len {
                 break;
             }
         }
-        self.len += rows.end - rows.start;
+    }
+
+    /// Finds the boxes of all cells, and where the patch's own look around.
+    fn find_boxes(&mut self) {
+        let (low_x, low_y) = (f32x4::splat(self.low.x), f32x4::splat(self.low.y));
+        let (per_x, per_y) = (f32x4::splat(self.per_cm.x), f32x4::splat(self.per_cm.y));
+        let row_length = f32x4::splat(self.columns as f32);
+        for k in (0..self.len).step_by(LANES) {
+            let column = whole((lanes(&self.unsorted.x, k) - low_x) * per_x);
+            let rows = (lanes(&self.unsorted.y, k) - low_y) * per_y;
+            let box_of = integers(whole(rows) * row_length + column);
+            *lanes_mut(&mut self.box_of, k) = box_of.to_array();
+            if k < self.own {
+                let lower_row = whole(rows - f32x4::HALF);
+                let left = column - f32x4::splat(BOXES_PER_LOOK as f32);
+                let window = integers(lower_row * row_length + left);
+                *lanes_mut(&mut self.window_of, k) = window.to_array();
+            }
+        }
     }
 
     /// Sorts the cells into their boxes.
     pub(super) fn sort(&mut self) {
+        self.find_boxes();
         let Points { x, y, kind } = &self.unsorted;
         sort_by_bin(&self.box_of[..self.len], self.boxes, &mut self.starts, |k, to| {
             // SAFETY: all columns are of the same length, at least `len`, as `reserve` made them.
