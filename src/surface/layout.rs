@@ -51,6 +51,21 @@ struct Portal {
     right: Vec2,
 }
 
+/// A portal by its squared distance from the centre and its number, in one integer, which is the
+/// quickest to compare: distances are not negative, so their bits order as they do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Waiting(u64);
+
+impl Waiting {
+    fn new(distance_squared: f32, portal: usize) -> Waiting {
+        Waiting(u64::from(distance_squared.to_bits()) << 32 | portal as u64)
+    }
+
+    fn portal(self) -> usize {
+        self.0 as u32 as usize
+    }
+}
+
 /// No image of a triangle.
 const NONE: u32 = u32::MAX;
 
@@ -71,8 +86,8 @@ pub(super) struct Layout<'a> {
     corner_of: Vec<u32>,
     centre: Vec2,
     portals: Vec<Portal>,
-    /// Waiting portals by (squared distance from the centre, number).
-    waiting: BinaryHeap<Reverse<(u32, u32)>>,
+    /// Waiting portals, the nearest to the centre first.
+    waiting: BinaryHeap<Reverse<Waiting>>,
 }
 
 impl<'a> Layout<'a> {
@@ -124,7 +139,7 @@ impl<'a> Layout<'a> {
             self.fit_together();
             if self.all_face_up() {
                 self.outline = self.outline_of(own.len());
-                fit = if self.is_flat() { Fit::Flat } else { Fit::Bent };
+                fit = if self.is_flat(own.len()) { Fit::Flat } else { Fit::Bent };
             } else {
                 self.images = unfitted;
             }
@@ -153,12 +168,12 @@ impl<'a> Layout<'a> {
             self.push(3 * home + k as u32, &corners);
         }
         let mut outwards = Vec::new();
-        while let Some(Reverse((distance, number))) = self.waiting.pop() {
-            let portal = self.portals[number as usize];
+        while let Some(Reverse(waiting)) = self.waiting.pop() {
+            let portal = self.portals[waiting.portal()];
             if self.is_own[portal.twin as usize / 3] {
                 self.enter(portal, |_, _| true);
             } else {
-                outwards.push(Reverse((distance, number)));
+                outwards.push(Reverse(waiting));
             }
         }
         self.waiting.extend(outwards);
@@ -166,8 +181,8 @@ impl<'a> Layout<'a> {
 
     /// Unfolds the triangles within reach of the outline.
     fn unfold_around(&mut self) {
-        while let Some(Reverse((_, number))) = self.waiting.pop() {
-            self.enter(self.portals[number as usize], |layout, edge| {
+        while let Some(Reverse(waiting)) = self.waiting.pop() {
+            self.enter(self.portals[waiting.portal()], |layout, edge| {
                 layout.outline.is_within(layout.reach, edge)
             });
         }
@@ -200,9 +215,8 @@ impl<'a> Layout<'a> {
         }
         let k = half_edge as usize % 3;
         let (right, left) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
-        // Distances are not negative, so their bits order as they do.
-        let distance = self.centre.distance_squared(0.5 * (left + right));
-        self.waiting.push(Reverse((distance.to_bits(), self.portals.len() as u32)));
+        let distance_squared = self.centre.distance_squared(0.5 * (left + right));
+        self.waiting.push(Reverse(Waiting::new(distance_squared, self.portals.len())));
         self.portals.push(Portal { twin, left, right });
     }
 
@@ -284,15 +298,16 @@ impl<'a> Layout<'a> {
         })
     }
 
-    /// Whether the edges within reach have nearly kept their lengths.
-    fn is_flat(&self) -> bool {
+    /// Whether the edges within reach have nearly kept their lengths, those of the first `own` images
+    /// among them.
+    fn is_flat(&self, own: usize) -> bool {
         let (mut sum, mut count) = (0.0, 0.0);
-        for image in &self.images {
+        for (number, image) in self.images.iter().enumerate() {
             let corners = image.corners();
             let shape = self.mesh.frames[image.triangle as usize].corners();
             for k in 0..3 {
                 let (from, to) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
-                if !self.outline.is_within(self.reach, &[from, to]) {
+                if number >= own && !self.outline.is_within(self.reach, &[from, to]) {
                     continue;
                 }
                 let length = distance(shape[(k + 1) % 3], shape[(k + 2) % 3]);

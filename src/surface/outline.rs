@@ -17,7 +17,7 @@ impl Outline {
     /// The convex hull (A. M. Andrew, Another efficient algorithm for convex hulls in two
     /// dimensions, Information Processing Letters 9, 1979).
     pub(super) fn around(mut points: Vec<Vec2>) -> Outline {
-        points.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        points.sort_unstable_by_key(|p| u64::from(ordinal(p.x)) << 32 | u64::from(ordinal(p.y)));
         points.dedup();
         let mut hull: Vec<Vec2> = Vec::new();
         for pass in 0..2 {
@@ -50,4 +50,10 @@ impl Outline {
     pub fn is_within(&self, reach: f32, points: &[Vec2]) -> bool {
         self.edges.iter().all(|&(normal, out)| points.iter().any(|&p| normal.dot(p) - out <= reach))
     }
+}
+
+/// An integer that orders as the number does.
+fn ordinal(number: f32) -> u32 {
+    let bits = number.to_bits();
+    if number.is_sign_negative() { !bits } else { bits | 1 << 31 }
 }
