@@ -79,20 +79,20 @@ impl ForceLanes {
     ) {
         let mut k = window.start as usize;
         let mut left = (window.end - window.start) as usize;
-        // Most windows hold from five to eight cells: to do always two lanes costs less than to go
+        // Most windows hold from five to eight cells: always to do two fours costs less than to go
         // wrong about a branch.
-        self.add_lanes(sum, near, at, weights, k, first(left, 0));
+        self.add_four(sum, near, at, weights, k, first(left, 0));
         while left > 2 * LANES {
             k += LANES;
             left -= LANES;
-            self.add_lanes(sum, near, at, weights, k, ALL);
+            self.add_four(sum, near, at, weights, k, ALL);
         }
-        self.add_lanes(sum, near, at, weights, k + LANES, first(left, 1));
+        self.add_four(sum, near, at, weights, k + LANES, first(left, 1));
     }
 
     /// Adds the forces of four cells, the `k`-th and those that follow, as far as the mask lets them.
     #[inline(always)]
-    fn add_lanes(
+    fn add_four(
         &self,
         sum: &mut Push,
         near: &Near,
@@ -143,11 +143,10 @@ fn kind_index(kind: f32) -> usize {
 const ON: f32 = f32::from_bits(u32::MAX);
 const ALL: f32x4 = f32x4::new([ON; LANES]);
 
-/// A mask of those lanes that belong to the first `left` numbers, where these are laid out in lanes:
-/// of the first lane, or of the second.
+/// A mask of those of four numbers, the first four or the second, that are among the first `left`.
 #[inline(always)]
-fn first(left: usize, lane: usize) -> f32x4 {
+fn first(left: usize, four: usize) -> f32x4 {
     const MASKS: [f32; 4 * LANES] =
         [ON, ON, ON, ON, ON, ON, ON, ON, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-    lanes(&MASKS, 2 * LANES - left.min(2 * LANES) + lane * LANES)
+    lanes(&MASKS, 2 * LANES - left.min(2 * LANES) + four * LANES)
 }

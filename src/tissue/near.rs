@@ -20,9 +20,10 @@ pub(super) struct Near {
     unsorted: Points,
     box_of: Vec<u32>,
     len: usize,
+    /// How many are the patch's own, which come first.
     own: usize,
-    /// Of the patch's own cells, which are unfolded first: the place of their triangle in the plan's
-    /// order, and the first box that they look into.
+    /// Of the patch's own cells: their triangle as a place in the plan's order, its first bin, and the
+    /// first box that they look into.
     slot_of: Vec<u32>,
     first_bin_of: Vec<u32>,
     window_of: Vec<u32>,
@@ -49,7 +50,7 @@ struct Points {
 impl Near {
     /// Room for all cells of a day: no patch sees more.
     pub(super) fn reserve(&mut self, cells: usize) {
-        // The force loop reads two lanes from where the last window may begin.
+        // The force loop reads two fours from where the last window may begin.
         let rows = cells + 2 * LANES;
         for column in [
             &mut self.unsorted.x,
@@ -79,9 +80,8 @@ impl Near {
         self.boxes = (size.y as usize + 2) * self.columns;
     }
 
-    /// Adds the cells of some rows, of one triangle. Whole lanes are written, at least one even if
-    /// there is no row: to go wrong about a branch would cost more. What is too much is overwritten by
-    /// the next.
+    /// Adds the cells of some rows, of one triangle. Whole fours are written, one even if there is no
+    /// row: to go wrong about a branch would cost more. What is too much is overwritten by the next.
     #[inline]
     pub(super) fn unfold(&mut self, all: &[Row], image: &Image, rows: Range<usize>) {
         let mut row = rows.start;
@@ -163,12 +163,13 @@ impl Near {
         Vec2::new(self.unsorted.x[k], self.unsorted.y[k])
     }
 
-    /// The slots of four of the patch's own cells, the `k`-th and those that follow.
+    /// The triangles of four of the patch's own cells, the `k`-th and those that follow.
     #[inline]
     pub(super) fn slots(&self, k: usize) -> [u32; LANES] {
         self.slot_of[k..k + LANES].try_into().expect("four")
     }
 
+    /// The first bins of these triangles.
     #[inline]
     pub(super) fn first_bins(&self, k: usize) -> u32x4 {
         u32x4::new(self.first_bin_of[k..k + LANES].try_into().expect("four"))
