@@ -47,6 +47,7 @@ impl Outline {
 
     /// Whether the convex hull of some points comes within `reach` of each edge's line: true for all
     /// that come within reach of the polygon, and for some beyond its corners.
+    #[inline]
     pub fn is_within(&self, reach: f32, points: &[Vec2]) -> bool {
         self.edges.iter().all(|&(normal, out)| points.iter().any(|&p| normal.dot(p) - out <= reach))
     }
