@@ -22,12 +22,12 @@ pub(crate) fn lanes_mut<T>(column: &mut [T], row: usize) -> &mut [T; LANES] {
     unsafe { &mut *column.as_mut_ptr().add(row).cast::<[T; LANES]>() }
 }
 
-/// The whole parts of numbers from 0 up to 2^23.
+/// The whole parts of numbers from 0 up to 2^23, or from a hair below 0 by rounding.
 #[inline]
 pub(super) fn whole(numbers: f32x4) -> f32x4 {
     // To convert them costs wasm, which has to look out for all others, six times as much.
     if cfg!(target_feature = "simd128") {
-        numbers.floor()
+        numbers.floor().fast_max(f32x4::ZERO)
     } else {
         numbers.fast_trunc_int().round_float()
     }
