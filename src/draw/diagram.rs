@@ -16,12 +16,12 @@ struct Head {
     axis: Vec3,
     from: f32,
     zero: Vec3,
-    to: f32,
+    black: f32,
     /// Of the image's pixels.
     first_record: u32,
     width: u32,
     rows: u32,
-    unused: u32,
+    white: f32,
 }
 
 /// What covers the surface, in whole records: the colours of the triangles, or the heads of the
@@ -45,7 +45,8 @@ impl Head {
     fn new(layer: &Layer, first_record: u32) -> Head {
         let mut head = Head {
             from: layer.from,
-            to: layer.to,
+            black: layer.black,
+            white: layer.white,
             first_record,
             width: layer.image.width,
             rows: layer.image.height,
@@ -70,7 +71,7 @@ mod tests {
     #[test]
     fn pixels_stand_where_the_heads_say() {
         let image = |width, height, grey| ControlImage { width, height, grey: vec![grey; 20] };
-        let layer = |image| Layer { wrap: Wrap::Leaf, image, from: 1.0, to: 0.5 };
+        let layer = |image| Layer { wrap: Wrap::Leaf, image, from: 1.0, black: 0.5, white: 1.0 };
         let layers = vec![layer(image(5, 4, 7)), layer(image(10, 2, 9))];
         let bytes = pack(&Diagram { layers, ..Diagram::default() });
         assert_eq!(bytes.len(), (4 + 4 + 2 + 2) * RECORD_BYTES);

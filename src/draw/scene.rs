@@ -21,6 +21,7 @@ pub struct Scene {
     eye_moment: Vec4,
     key_texel: Vec4,
     cells: [Vec4; 3],
+    tinted: [Vec4; 3],
     look: Vec4,
     tissue: Vec4,
     ground: Vec4,
@@ -34,6 +35,10 @@ impl Scene {
     /// `sheet`: the surface has rims, so that light comes through it.
     pub fn set_body(&mut self, look: &Look, bounds: &Bounds, vein_lean: f32, sheet: bool) {
         self.cells = look.cells.map(|c| linear(c).extend(1.0));
+        self.tinted = self.cells;
+        for &(kind, colour) in look.tinted {
+            self.tinted[kind as usize] = linear(colour).extend(1.0);
+        }
         self.look = Vec4::new(look.variation, look.border, look.gloss, flag(look.veins));
         self.tissue.y = vein_lean;
         self.tissue.z = flag(sheet);

@@ -1,9 +1,9 @@
 //! Finds the sites of each triangle's list, day by day.
 
 use super::near::{Home, Near, Picked, SortedCells};
-use super::sites::{FARTHEST_STEPS, Head, Site, SiteLists, Tag};
+use super::sites::{FARTHEST_STEPS, Head, MOST_TINT, Site, SiteLists, Tag};
 use crate::surface::{Charts, Mesh};
-use crate::tissue::{Diary, Rim};
+use crate::tissue::{Control, Diary, Rim};
 use glam::Vec2;
 
 /// Makes the site lists of the days of one mesh. It keeps its memory from day to day, and what it
@@ -11,6 +11,7 @@ use glam::Vec2;
 #[derive(Debug)]
 pub struct SiteFinder {
     charts: Charts,
+    controls: Vec<Control>,
     cells: SortedCells,
     near: Near,
     picked: Picked,
@@ -18,6 +19,8 @@ pub struct SiteFinder {
     reach: Vec<f32>,
     /// For each cell the list that it was last put in, and its number there.
     number_of: Vec<(u32, u32)>,
+    /// Of each cell.
+    tints: Vec<u32>,
     /// The cell of each site of the lists found last.
     pub cell_of: Vec<u32>,
 }
@@ -37,13 +40,21 @@ impl SiteFinder {
     pub fn new(mesh: &Mesh) -> SiteFinder {
         SiteFinder {
             charts: Charts::new(mesh),
+            controls: Vec::new(),
             cells: SortedCells::default(),
             near: Near::default(),
             picked: Picked::default(),
             reach: vec![FIRST_REACH; mesh.triangles.len()],
             number_of: Vec::new(),
+            tints: Vec::new(),
             cell_of: Vec::new(),
         }
+    }
+
+    /// Cells have the colours of these control images, by the place where they are on each day.
+    pub fn coloured(mut self, controls: Vec<Control>) -> SiteFinder {
+        self.controls = controls;
+        self
     }
 
     /// The lists of a day of the mesh that the finder was made for.
@@ -59,6 +70,12 @@ impl SiteFinder {
         self.cell_of.clear();
         self.number_of.clear();
         self.number_of.resize(diary.days[day].places.len(), (u32::MAX, 0));
+        self.tints.clear();
+        for (cell, &place) in diary.days[day].places.iter().enumerate() {
+            let kind = diary.lineage[cell].kind;
+            let tints = self.controls.iter().map(|control| control.tint(mesh, place, kind));
+            self.tints.push(tint(cell as u32, tints.fold(0.0, f32::max)));
+        }
         let mut lists =
             SiteLists { heads: Vec::with_capacity(mesh.triangles.len()), sites: Vec::new() };
         for (triangle, frame) in mesh.frames.iter().enumerate() {
@@ -102,7 +119,8 @@ impl SiteFinder {
                 kind: site.kind,
                 is_newborn: site.cell >= born_before,
                 number: number.1,
-                lightness: lightness(site.cell),
+                tint: self.tints[site.cell as usize],
+                lightness: scatter(site.cell) >> 28,
             };
             let steps = |place: Vec2| (place - centroid) / scale_cm;
             lists.sites.push(Site::new(steps(site.now), steps(site.before), tag));
@@ -117,10 +135,17 @@ impl SiteFinder {
     }
 }
 
-/// A number below 128 that belongs to the cell (the finaliser of MurmurHash3, Appleby 2011).
-fn lightness(cell: u32) -> u32 {
+/// The tint of a cell where so much is asked for, 0 to 1: one of the two steps around it, each so often
+/// that they mean what is asked for. Steps all at one place would be seen as a line.
+fn tint(cell: u32, asked: f32) -> u32 {
+    let chance = (scatter(cell) & 0xffff) as f32 / 65_536.0;
+    (asked * MOST_TINT as f32 + chance) as u32
+}
+
+/// A number that belongs to the cell (the finaliser of MurmurHash3, Appleby 2011).
+fn scatter(cell: u32) -> u32 {
     let mut bits = cell.wrapping_mul(0x9e37_79b1).wrapping_add(0x7f4a_7c15);
     bits = (bits ^ (bits >> 16)).wrapping_mul(0x85eb_ca6b);
     bits = (bits ^ (bits >> 13)).wrapping_mul(0xc2b2_ae35);
-    (bits ^ (bits >> 16)) >> 25
+    bits ^ (bits >> 16)
 }

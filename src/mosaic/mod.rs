@@ -9,4 +9,4 @@ mod sites;
 pub use finder::SiteFinder;
 pub use pattern::{Pattern, neighbours};
 pub use polygons::{Piece, polygons};
-pub use sites::{Head, Site, SiteLists, Tag};
+pub use sites::{Head, MOST_TINT, Site, SiteLists, Tag};

@@ -14,7 +14,8 @@ use glam::Vec2;
 /// Coordinates are `(value - 2048) * scale_cm` centimetres from the triangle's centroid, in its
 /// plane. A cell born since the day before was where its parent was; motion between the days is the
 /// straight line. The tag's bits, from the lowest: two for the index of the `CellType`, one that says
-/// newborn, six that tell the cell from its neighbours in the list, and seven for its lightness.
+/// newborn, six that tell the cell from its neighbours in the list, three for its tint, and four for its
+/// lightness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub struct Site {
@@ -28,7 +29,9 @@ pub struct Tag {
     pub is_newborn: bool,
     /// Equal, but for chance, only for two images of one cell; below 64.
     pub number: u32,
-    /// Below 128.
+    /// From 0, the own colour of its type, to `MOST_TINT`, the tinted one.
+    pub tint: u32,
+    /// Below 16.
     pub lightness: u32,
 }
 
@@ -53,6 +56,8 @@ pub struct SiteLists {
     pub sites: Vec<Site>,
 }
 
+pub const MOST_TINT: u32 = 7;
+
 const MIDDLE: f32 = 2048.0;
 const COORDINATE: u32 = (1 << 12) - 1;
 
@@ -74,7 +79,8 @@ impl Site {
         let tag = tag.kind
             | u32::from(tag.is_newborn) << 2
             | (tag.number & 63) << 3
-            | (tag.lightness & 127) << 9;
+            | (tag.tint & MOST_TINT) << 9
+            | (tag.lightness & 15) << 12;
         let word =
             |now: f32, before: f32, tag: u32| step(now) | step(before) << 12 | (tag & 255) << 24;
         Site { words: [word(now.x, before.x, tag), word(now.y, before.y, tag >> 8)] }
@@ -96,7 +102,8 @@ impl Site {
             kind: bits & 3,
             is_newborn: bits & 4 != 0,
             number: bits >> 3 & 63,
-            lightness: bits >> 9,
+            tint: bits >> 9 & MOST_TINT,
+            lightness: bits >> 12,
         }
     }
 
@@ -114,8 +121,10 @@ mod tests {
     #[test]
     fn sites_come_back() {
         let head = Head { scale_cm: 0.25, ..Head::default() };
-        for (kind, is_newborn, number, lightness) in [(0, true, 0, 127), (2, false, 63, 0)] {
-            let tag = Tag { kind, is_newborn, number, lightness };
+        for (kind, is_newborn, number, tint, lightness) in
+            [(0, true, 0, MOST_TINT, 15), (2, false, 63, 0, 0), (1, true, 7, 3, 8)]
+        {
+            let tag = Tag { kind, is_newborn, number, tint, lightness };
             let (now, before) = (Vec2::new(-2047.0, 17.0), Vec2::new(2047.0, -3.0));
             let site = Site::new(now, before, tag);
             assert_eq!((site.now(&head), site.before(&head)), (now * 0.25, before * 0.25));

@@ -50,9 +50,10 @@ const CAPS: [Cap; 2] = [
     Cap { rim: Vec3::new(-4.6, 4.1, 2.2), radius: 2.55, height: 2.7, warts: 18, wart_radius: 0.46 },
 ];
 
-/// Each cap has warts where the veil is thick: no first cell is red there.
+/// Each cap has warts where the veil is thick: no first cell is red there; and its orange rim.
 fn veil() -> Vec<Control> {
-    CAPS.iter().map(Cap::control).collect()
+    let [grown, button] = &CAPS;
+    vec![grown.control(), button.control(), mushroom::orange_rims()]
 }
 
 impl Cap {

@@ -35,6 +35,7 @@ pub const PLANT: Plant = Plant {
     first_day: 25,
     look: Look {
         cells: [[0.925, 0.824, 0.341], [0.235, 0.455, 0.335], [0.5, 0.5, 0.2]],
+        tinted: &[],
         variation: 0.08,
         border: 0.18,
         gloss: 0.3,

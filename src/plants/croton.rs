@@ -35,6 +35,7 @@ pub const PLANT: Plant = Plant {
     first_day: 15,
     look: Look {
         cells: [[0.91, 0.784, 0.227], [0.122, 0.353, 0.165], [0.5, 0.5, 0.2]],
+        tinted: &[],
         variation: 0.12,
         border: 0.25,
         gloss: 0.55,

@@ -3,7 +3,7 @@
 
 use super::{Plant, Show};
 use crate::surface::{ControlImage, Cylinder, DirectionField, Mesh, Wrap};
-use crate::tissue::{Control, Use};
+use crate::tissue::{CellType, Control, Use};
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;
 
@@ -22,13 +22,15 @@ pub struct Diagram {
     pub head: f32,
 }
 
-/// A control image on a body: black, it turns the grey `from` into the grey `to`.
+/// A control image on a body: it turns the grey `from` into the grey `black` where it is black, into
+/// `white` where it is white, and between into what lies between.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {
     pub wrap: Wrap,
     pub image: ControlImage,
     pub from: f32,
-    pub to: f32,
+    pub black: f32,
+    pub white: f32,
 }
 
 /// Dry ink on pale paper for arrows; for cylinders red pencil, which is seen on black and white.
@@ -90,7 +92,8 @@ fn hue_of_angle(cosine: f32) -> [u8; 4] {
     [byte(2.0 - sixths), byte(sixths), byte(sixths - 2.0), 0]
 }
 
-/// What the images leave of a first F cell, white for F, grey for M, black for B; and the cylinders.
+/// What the images leave of a first F cell, white for F, grey for M, black for B, each a little
+/// lighter the more it is tinted; and the cylinders.
 fn images(mesh: &Mesh, controls: Vec<Control>) -> Diagram {
     let mut lines = Vec::new();
     let mut layers = Vec::new();
@@ -98,11 +101,16 @@ fn images(mesh: &Mesh, controls: Vec<Control>) -> Diagram {
         if let Wrap::Cylinder(cylinder) = wrap {
             draw_outline(&cylinder, radius_cm(&cylinder, mesh), &mut lines);
         }
-        let [from, to] = match use_as {
-            Use::FirstCells { of, instead } => [of, instead].map(|kind| GREYS[kind as usize]),
-            Use::Scale { .. } => [1.0, 0.0],
+        let grey = |kind: CellType| GREYS[kind as usize];
+        let [from, black, white] = match use_as {
+            Use::FirstCells { of, instead } => [of, instead, of].map(grey),
+            Use::Scale { .. } => [1.0, 0.0, 1.0],
+            Use::Colour { of } => {
+                let untinted = 0.65 * grey(of);
+                [grey(of), untinted, untinted + 0.35]
+            }
         };
-        layers.push(Layer { wrap, image, from, to });
+        layers.push(Layer { wrap, image, from, black, white });
     }
     Diagram { layers, lines, ink: PENCIL, ..Diagram::default() }
 }
@@ -169,6 +177,17 @@ mod tests {
     }
 
     #[test]
+    fn tints_are_shown_on_what_first_cells_may_be() {
+        let plant = find("mushroom").unwrap();
+        let mesh = plant.embedded_body().surface;
+        let layers = Show::ControlImages.diagram(plant, &mesh).layers;
+        let greys: Vec<_> = layers.iter().map(|l| [l.from, l.black, l.white]).collect();
+        assert_eq!(greys, [[1.0, 0.0, 1.0], [1.0, 0.65, 1.0]]);
+        assert!(Show::ControlImages.meaning(plant).ends_with("are tinted."));
+        assert!(!Show::ControlImages.meaning(find("croton").unwrap()).contains("tint"));
+    }
+
+    #[test]
     fn cylinders_just_hold_what_they_wrap() {
         let plant = find("watermelon").unwrap();
         let mesh = plant.embedded_body().surface;
@@ -187,7 +206,7 @@ mod tests {
         // Each fly agaric has a cylinder of its own, no wider than its cap.
         let plant = find("amanita").unwrap();
         let mesh = plant.embedded_body().surface;
-        for control in plant.controls() {
+        for control in &plant.controls()[..2] {
             let Wrap::Cylinder(cylinder) = control.wrap else { panic!("a cylinder") };
             let radius_cm = super::radius_cm(&cylinder, &mesh);
             assert!((2.0..6.5).contains(&radius_cm), "{radius_cm} cm");

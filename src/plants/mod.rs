@@ -32,7 +32,7 @@ mod square_watermelon;
 mod watermelon;
 
 use crate::surface::{Body, DirectionField, Group, Mesh, ObjError, PolygonMesh, SurfaceError};
-use crate::tissue::{Control, Growth, Recipe, RecipeError};
+use crate::tissue::{CellType, Control, Growth, Recipe, RecipeError};
 pub use diagram::{Diagram, Layer};
 pub use show::Show;
 use std::sync::Arc;
@@ -123,6 +123,8 @@ impl Plant {
 pub struct Look {
     /// Colours of F, B and M cells.
     pub cells: [[f32; 3]; 3],
+    /// The colours of those types that a control image tints, where it is white.
+    pub tinted: &'static [(CellType, [f32; 3])],
     /// How much the lightness of cells of one type varies, 0 to 1.
     pub variation: f32,
     /// How much darker the cell borders are than the cells, 0 to 1.
@@ -198,7 +200,7 @@ fn rough(at: f32, item: u32, purpose: u32) -> f32 {
 mod tests {
     use super::*;
     use crate::surface::{Cylinder, NO_TWIN, Place, Wrap};
-    use crate::tissue::CellType::{self, Foreground};
+    use crate::tissue::CellType::Foreground;
     use crate::tissue::Progress;
     use glam::Vec3;
 

@@ -2,7 +2,8 @@
 
 use super::{BodyError, Look, Plant, View, scatter, spikes};
 use crate::surface::{Body, ControlImage, Cylinder, PolygonMesh, Wrap};
-use crate::tissue::{Control, Recipe};
+use crate::tissue::CellType::Foreground;
+use crate::tissue::{Control, Recipe, Use};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -37,6 +38,7 @@ pub const PLANT: Plant = Plant {
     first_day: 20,
     look: Look {
         cells: [[0.761, 0.118, 0.102], [0.957, 0.925, 0.847], [0.5, 0.5, 0.2]],
+        tinted: &[(Foreground, [0.88, 0.37, 0.08])],
         variation: 0.08,
         border: 0.15,
         gloss: 0.6,
@@ -53,7 +55,7 @@ pub const PLANT: Plant = Plant {
     view: View { azimuth_deg: 0.0, elevation_deg: 15.0, zoom: 1.08 },
     mesh: mesh_file!("mushroom.obj"),
     body: grow_body,
-    controls: Some(warts),
+    controls: Some(|| vec![warts(), orange_rims()]),
     field: None,
     unfolding_days: &[],
 };
@@ -91,12 +93,26 @@ fn grow_moss(mesh: &mut PolygonMesh) {
 
 /// Where the veil tore last, at the top of the cap, more of it is left: the higher, the more first
 /// cells are white, in a fine random grain.
-fn warts() -> Vec<Control> {
+fn warts() -> Control {
     const WHITE_AT_THE_TOP: f32 = 0.2;
     let cylinder = Cylinder { base: Vec3::Y * 12.5, axis: Vec3::Y, zero: Vec3::X, height: 3.9 };
     let image = ControlImage::paint(256, 128, |turns, height| {
         let grain = scatter((turns * 256.0) as u32 + 256 * (height * 128.0) as u32, 0);
         grain > WHITE_AT_THE_TOP * height
     });
-    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
+    Control::foreground(Wrap::Cylinder(cylinder), image)
+}
+
+/// Red is tinted with orange towards the rims of the caps of `meshes/mushroom.obj`.
+pub(super) fn orange_rims() -> Control {
+    /// Heights of the rim and of the top of the button and of the grown cap, and of the image.
+    const CAPS_CM: [[f32; 2]; 2] = [[4.1, 6.8], [12.4, 16.1]];
+    const HEIGHT_CM: f32 = 17.0;
+    let cylinder = Cylinder { base: Vec3::ZERO, axis: Vec3::Y, zero: Vec3::X, height: HEIGHT_CM };
+    let image = ControlImage::shade(1, 256, &|_, height| {
+        let [rim_cm, top_cm] = CAPS_CM[usize::from(height > 0.5)];
+        let from_top = ((top_cm - height * HEIGHT_CM) / (top_cm - rim_cm)).clamp(0.0, 1.0);
+        from_top * from_top
+    });
+    Control { wrap: Wrap::Cylinder(cylinder), image, use_as: Use::Colour { of: Foreground } }
 }

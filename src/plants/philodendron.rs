@@ -38,6 +38,7 @@ pub const PLANT: Plant = Plant {
     first_day: 30,
     look: Look {
         cells: [[0.76, 0.83, 0.29], [0.15, 0.385, 0.19], [0.5, 0.5, 0.2]],
+        tinted: &[],
         variation: 0.1,
         border: 0.15,
         gloss: 0.4,

@@ -36,6 +36,7 @@ pub const PLANT: Plant = Plant {
     first_day: 15,
     look: Look {
         cells: [[0.902, 0.812, 0.333], [0.145, 0.29, 0.19], [0.56, 0.655, 0.478]],
+        tinted: &[],
         variation: 0.08,
         border: 0.12,
         gloss: 0.4,

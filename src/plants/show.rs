@@ -44,6 +44,10 @@ const WORDS: [[&str; 3]; 6] = [
     ],
 ];
 
+/// What is to be added where control images tint cells.
+const TINTS: &str = " Pale grey counts as white, dark grey as black: the lighter, the more the cells \
+                     are tinted.";
+
 impl Show {
     /// What a plant has to show, its cells first.
     pub fn offered(plant: &Plant) -> impl Iterator<Item = Show> {
@@ -76,7 +80,11 @@ impl Show {
 
     /// How it is to be read, for a plant; empty for cells.
     pub fn meaning(self, plant: &Plant) -> String {
-        WORDS[self as usize][2].replace("{F}", plant.colour_names[0])
+        let mut text = WORDS[self as usize][2].replace("{F}", plant.colour_names[0]);
+        if self == ControlImages && !plant.look.tinted.is_empty() {
+            text += TINTS;
+        }
+        text
     }
 }
 

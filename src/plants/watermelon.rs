@@ -35,6 +35,7 @@ pub const PLANT: Plant = Plant {
     first_day: 20,
     look: Look {
         cells: [[0.114, 0.29, 0.133], [0.525, 0.69, 0.376], [0.5, 0.5, 0.2]],
+        tinted: &[],
         variation: 0.1,
         border: 0.12,
         gloss: 0.5,

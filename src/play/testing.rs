@@ -39,6 +39,7 @@ const fn plant(
         first_day: 3,
         look: Look {
             cells: [[0.9, 0.8, 0.2], [0.1, 0.4, 0.2], [0.5, 0.5, 0.5]],
+            tinted: &[],
             variation: 0.1,
             border: 0.3,
             gloss: 0.5,

@@ -126,7 +126,7 @@ impl Worker {
         let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.mesh.name))?;
         let body = (plant.body)(text).map_err(|why| format!("{}: {why}", plant.mesh.name))?;
         let surface = Arc::new(body.surface);
-        let finder = SiteFinder::new(&surface);
+        let finder = SiteFinder::new(&surface).coloured(plant.controls());
         if self.grounds.len() == MOST_GROUNDS {
             self.grounds.remove(0);
         }

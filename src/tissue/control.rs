@@ -1,5 +1,5 @@
-//! Control images: what an image on the body changes in the life of the cells below it
-//! (Thesis 3.2.3). An image that leaves triangles without any pattern is the body's own business,
+//! Control images: what an image on the body changes in the cells below it (Thesis 3.2.3; scaling and
+//! colour as in the original program). An image that leaves triangles without any pattern is the body's own business,
 //! `Body::bared`.
 
 use super::{CellType, Recipe, RecipeError, Scaled};
@@ -22,6 +22,9 @@ pub enum Use {
     /// that of white. Days between divisions go by where the cell is when its clock is wound; what
     /// pushes a cell goes by the middle of the triangle that it is in (see `Ground`).
     Scale { number: Scaled, black: f64, white: f64 },
+    /// The colour of cells of one type, wherever they are: it goes evenly from the type's own, black,
+    /// to its tinted one, white. It is of no account for their lives.
+    Colour { of: CellType },
 }
 
 impl Control {
@@ -46,12 +49,24 @@ impl Control {
     pub fn factor(&self, mesh: &Mesh, place: Place, number: Scaled) -> f64 {
         match self.use_as {
             Use::Scale { number: scaled, black, white } if scaled.is(number) => {
-                let (turns, height) = self.wrap.coordinates(&self.image, mesh, place);
-                let grey = f64::from(self.image.grey(turns, height));
+                let grey = f64::from(self.grey(mesh, place));
                 black * (1.0 - grey) + white * grey
             }
             _ => 1.0,
         }
+    }
+
+    /// How far the colour of a cell of this type is tinted at a place, 0 to 1.
+    pub fn tint(&self, mesh: &Mesh, place: Place, kind: CellType) -> f32 {
+        match self.use_as {
+            Use::Colour { of } if of == kind => self.grey(mesh, place),
+            _ => 0.0,
+        }
+    }
+
+    fn grey(&self, mesh: &Mesh, place: Place) -> f32 {
+        let (turns, height) = self.wrap.coordinates(&self.image, mesh, place);
+        self.image.grey(turns, height)
     }
 
     /// Whether cells under it may be pushed in another way than the recipe says.

@@ -6,13 +6,16 @@ use crate::rays::Rays;
 use clonal_mosaic::mosaic::{Piece, polygons};
 use clonal_mosaic::plants;
 use clonal_mosaic::play::link;
-use clonal_mosaic::surface::Charts;
-use clonal_mosaic::tissue::{CellType, Progress};
+use clonal_mosaic::surface::{Charts, Place};
+use clonal_mosaic::tissue::{CellType, Control, Progress};
 use glam::Vec2;
 use std::sync::Arc;
 
 /// Red and cream can be told apart in every light.
 const LINK: &str = "mushroom?v=1&s=3&d=12&view=20,40,3";
+
+/// The whole cap, from its orange rim to its red top.
+const WHOLE_CAP: &str = "mushroom?v=1&s=3&d=12&view=0,20,1.3";
 
 /// Pixels from one sample to the next, and how far around a sample the type must be one.
 const STEP_PX: usize = 11;
@@ -28,34 +31,56 @@ fn webgl2_paints_the_voronoi_polygons() {
     pixels_agree(Graphics::WebGl2, "webgl2");
 }
 
+#[test]
+fn webgpu_tints_red_towards_the_rim() {
+    tints_agree(Graphics::WebGpu);
+}
+
+#[test]
+fn webgl2_tints_red_towards_the_rim() {
+    tints_agree(Graphics::WebGl2);
+}
+
 fn pixels_agree(graphics: Graphics, backend: &str) {
     let Some(page) = Page::open(graphics, &format!("#{LINK}")) else { return };
     assert_eq!(page.ready().backend, backend);
     let picture = page.picture();
-    let scene = Polygons::grow(&picture);
     let (mut agree, mut differ, mut unclear) = (0, 0, 0);
-    let (width, height) = (picture.width, picture.height);
-    // The middle of the picture: buttons float over its corners.
-    for y in (height / 5..4 * height / 5).step_by(STEP_PX) {
-        for x in (width / 4..3 * width / 4).step_by(STEP_PX) {
-            let at = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
-            let around = [Vec2::ZERO, Vec2::X, Vec2::Y, -Vec2::X, -Vec2::Y];
-            let kinds = around.map(|side| scene.kind_at(at + side * AWAY_FROM_BORDERS_PX));
-            let Some(kind) = kinds[0] else { continue };
-            if kinds.iter().any(|&k| k != Some(kind)) {
-                continue;
-            }
-            match painted(picture.rgb[y * width + x]) {
-                None => unclear += 1,
-                Some(painted) if painted == kind => agree += 1,
-                Some(_) => differ += 1,
-            }
+    for (rgb, _, kind) in Polygons::grow(LINK, &picture).samples(&picture) {
+        match painted(rgb) {
+            None => unclear += 1,
+            Some(painted) if painted == kind => agree += 1,
+            Some(_) => differ += 1,
         }
     }
     let compared = agree + differ + unclear;
     assert!(compared > 500, "{compared} pixels lie on the cap");
     assert!(unclear * 20 < compared, "{unclear} of {compared} pixels are neither red nor cream");
     assert!(differ * 500 < compared, "{differ} of {compared} pixels show another type");
+}
+
+/// The more the control images tint red cells, the more green is in their pixels.
+fn tints_agree(graphics: Graphics) {
+    let Some(page) = Page::open(graphics, &format!("#{WHOLE_CAP}")) else { return };
+    page.ready();
+    let picture = page.picture();
+    let scene = Polygons::grow(WHOLE_CAP, &picture);
+    let mesh = &scene.rays.body.surface;
+    let controls = plants::find("mushroom").unwrap().controls();
+    // Green in red, and pixels, from little tint to much.
+    let mut steps = [(0.0, 0); 4];
+    for ([red, green, _], place, kind) in scene.samples(&picture) {
+        let tint = |control: &Control| control.tint(mesh, place, kind);
+        let tint = controls.iter().map(tint).fold(0.0, f32::max);
+        if kind == CellType::Foreground {
+            let step = &mut steps[(tint * 3.999) as usize];
+            *step = (step.0 + f32::from(green) / f32::from(red.max(1)), step.1 + 1);
+        }
+    }
+    assert!(steps.iter().all(|&(_, count)| count > 20), "{steps:?}");
+    let means = steps.map(|(sum, count)| sum / count as f32);
+    // In one red, there is rather less green towards the rim.
+    assert!(means.is_sorted() && means[3] > means[0] + 0.1, "{means:?}");
 }
 
 /// The type of cell that a pixel shows: red F, cream B, or neither for sure.
@@ -76,8 +101,8 @@ struct Polygons {
 }
 
 impl Polygons {
-    fn grow(picture: &Picture) -> Polygons {
-        let scene = link::read(LINK, plants::all()).scene;
+    fn grow(link: &str, picture: &Picture) -> Polygons {
+        let scene = link::read(link, plants::all()).scene;
         let rays = Rays::of(&scene, picture);
         let mesh = Arc::new(rays.body.surface.clone());
         let mut growth =
@@ -91,6 +116,26 @@ impl Polygons {
             pieces[piece.triangle as usize].push((piece, kind));
         }
         Polygons { rays, pieces }
+    }
+
+    /// Colour, place and type of pixels that show the caps, away from cells of another type.
+    fn samples(&self, picture: &Picture) -> Vec<([u8; 3], Place, CellType)> {
+        let mut samples = Vec::new();
+        let (width, height) = (picture.width, picture.height);
+        // The middle of the picture: buttons float over its corners.
+        for y in (height / 5..4 * height / 5).step_by(STEP_PX) {
+            for x in (width / 4..3 * width / 4).step_by(STEP_PX) {
+                let at = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
+                let (Some(place), Some(kind)) = (self.rays.surface_at(at), self.kind_at(at)) else {
+                    continue;
+                };
+                let mut around = [Vec2::X, Vec2::Y, -Vec2::X, -Vec2::Y].into_iter();
+                if around.all(|v| self.kind_at(at + v * AWAY_FROM_BORDERS_PX) == Some(kind)) {
+                    samples.push((picture.rgb[y * width + x], place, kind));
+                }
+            }
+        }
+        samples
     }
 
     /// The type of the cell that is seen through a point of the picture, in pixels; none where

@@ -1,10 +1,11 @@
 //! What is drawn against a second method: the site lists against Voronoi polygons by spade.
 
 use crate::meshes::{blade, cube, flat, icosphere, shaken, sheet};
-use clonal_mosaic::mosaic::{SiteFinder, SiteLists, polygons};
-use clonal_mosaic::surface::{Charts, Mesh};
-use clonal_mosaic::tissue::{Diary, Growth, Progress, Recipe};
-use glam::Vec2;
+use clonal_mosaic::mosaic::{MOST_TINT, SiteFinder, SiteLists, Tag, polygons};
+use clonal_mosaic::surface::{Charts, ControlImage, Cylinder, Mesh, Wrap};
+use clonal_mosaic::tissue::CellType::{Background, Foreground};
+use clonal_mosaic::tissue::{Control, Diary, Growth, Progress, Recipe, Use};
+use glam::{Vec2, Vec3};
 use std::sync::Arc;
 
 fn grown(mesh: &Mesh, cells: u32, days: u32) -> Diary {
@@ -122,4 +123,59 @@ fn lists_are_complete_at_every_moment_between_two_days() {
             }
         }
     }
+}
+
+/// F cells under an image that goes from black on the left to white on the right, B cells under one
+/// that is white at the top alone.
+#[test]
+fn cells_have_the_colours_of_the_images_where_they_are() {
+    let mesh = sheet(16, 10.0, flat);
+    let up = |axis: Vec3, image: ControlImage, of| Control {
+        wrap: Wrap::Cylinder(Cylinder { base: Vec3::ZERO, axis, zero: Vec3::Z, height: 10.0 }),
+        image,
+        use_as: Use::Colour { of },
+    };
+    let ramp = ControlImage::shade(1, 50, &|_, height| 2.0 * height - 0.5);
+    let top = ControlImage::paint(1, 10, |_, height| height > 0.7);
+    let controls = vec![up(Vec3::X, ramp, Foreground), up(Vec3::Y, top, Background)];
+    let recipe = Recipe { initial_cells: 6_000, days: 1, ..Recipe::default() };
+    let recipe = Recipe { initial_probability: [0.5, 0.4, 0.1], ..recipe };
+    let grow = |controls: &[Control]| {
+        let mut growth = Growth::new(Arc::new(mesh.clone()), recipe.clone(), controls, 5).unwrap();
+        while growth.step() != Progress::Done {}
+        growth.diary
+    };
+    let diary = grow(&controls);
+    assert_eq!(diary, grow(&[]), "colours are of no account for the cells' lives");
+
+    let plain = SiteFinder::new(&mesh).find(&mesh, &diary, 1);
+    let mut finder = SiteFinder::new(&mesh).coloured(controls);
+    let lists = finder.find(&mesh, &diary, 1);
+    let mut tint_of = vec![None; diary.days[1].places.len()];
+    for triangle in 0..mesh.triangles.len() {
+        let first = lists.heads[triangle].first as usize;
+        for (k, (site, uncoloured)) in lists.of(triangle).iter().zip(plain.of(triangle)).enumerate()
+        {
+            let tag = site.tag();
+            assert_eq!(uncoloured.tag(), Tag { tint: 0, ..tag });
+            let known = tint_of[finder.cell_of[first + k] as usize].get_or_insert(tag.tint);
+            assert_eq!(*known, tag.tint, "a cell has one colour");
+        }
+    }
+    let (mut asked, mut given) = (0.0, 0.0);
+    for (cell, &place) in diary.days[1].places.iter().enumerate() {
+        let (point, tint) = (mesh.point(place), tint_of[cell].expect("every cell is listed"));
+        match diary.lineage[cell].kind {
+            Foreground => {
+                let share = (point.x / 5.0 - 0.5).clamp(0.0, 1.0);
+                let step = share * MOST_TINT as f32;
+                assert!((tint as f32 - step).abs() < 1.1, "{tint} at {point}");
+                (asked, given) = (asked + step, given + tint as f32);
+            }
+            Background if point.y > 7.6 => assert_eq!(tint, MOST_TINT, "at {point}"),
+            Background if point.y > 6.4 => {}
+            _ => assert_eq!(tint, 0, "at {point}"),
+        }
+    }
+    assert!((asked / given - 1.0).abs() < 0.02, "{asked} steps asked, {given} given");
 }

@@ -36,7 +36,7 @@ fn grey_at(world: vec3f, leaf: vec2f) -> f32 {
         let number = pixel.y * image.y + pixel.x;
         let white = bytes(record(image.x + (number >> 4u))[(number >> 2u) & 3u])[number & 3u];
         if abs(grey - axis.w) < 0.1 {
-            grey = mix(zero.w, grey, white);
+            grey = mix(zero.w, bitcast<f32>(image.w), white);
         }
     }
     return grey;

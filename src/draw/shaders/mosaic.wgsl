@@ -30,9 +30,19 @@ fn kind_of(tag: u32) -> u32 {
     return tag & 3u;
 }
 
+fn tint_of(tag: u32) -> f32 {
+    return f32((tag >> 9u) & 7u) / 7.0;
+}
+
+// The colour of cells of a type. Square roots of linear light are even to the eye.
+fn tinted(kind: u32, tint: f32) -> vec3f {
+    let colour = mix(sqrt(scene.cells[kind].rgb), sqrt(scene.tinted[kind].rgb), tint);
+    return colour * colour;
+}
+
 fn colour_of(tag: u32) -> vec3f {
-    let lightness = 1.0 + scene.look.x * (2.0 / 127.0 * f32(tag >> 9u) - 1.0);
-    return scene.cells[kind_of(tag)].rgb * lightness * lightness;
+    let lightness = 1.0 + scene.look.x * (2.0 / 15.0 * f32(tag >> 12u) - 1.0);
+    return tinted(kind_of(tag), tint_of(tag)) * lightness * lightness;
 }
 
 // Of two cells that stand on one spot, whether the first was born of the second.
@@ -60,6 +70,7 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
     var second = first;
     var third = first;
     var shares = vec3f(0.0);
+    var tints = vec3f(0.0);
     var pair = vec4u(0u);
     for (var i = 0u; i < head.y; i++) {
         if (i & 1u) == 0u {
@@ -86,7 +97,9 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
         }
         if apart < 1.0 {
             let weight = max(1.0 - near.distance2 * per_radius2, 0.0);
-            shares += weight * weight * vec3f(vec3u(kind_of(tag)) == vec3u(0u, 1u, 2u));
+            let share = weight * weight * vec3f(vec3u(kind_of(tag)) == vec3u(0u, 1u, 2u));
+            shares += share;
+            tints += share * tint_of(tag);
         }
     }
 
@@ -132,8 +145,9 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
     if apart < 1.0 {
         let total = shares.x + shares.y + shares.z;
         if total > 0.0 {
-            let mean = (shares.x * scene.cells[0].rgb + shares.y * scene.cells[1].rgb
-                + shares.z * scene.cells[2].rgb) / total;
+            tints /= max(shares, vec3f(1e-9));
+            let mean = (shares.x * tinted(0u, tints.x) + shares.y * tinted(1u, tints.y)
+                + shares.z * tinted(2u, tints.z)) / total;
             colour = mix(mean, colour, apart);
             // The share of a regular mosaic's area that its borders take.
             line = mix(4.0 * BORDER_SHARE, line, apart);

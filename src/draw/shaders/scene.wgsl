@@ -11,6 +11,8 @@ struct Scene {
     key: vec4f,
     // Colours of F, B and M cells.
     cells: array<vec4f, 3>,
+    // The same where a control image tints them.
+    tinted: array<vec4f, 3>,
     // Variation of lightness, darkness of borders, gloss, veins (0 or 1).
     look: vec4f,
     // Mean spacing of the cells, slope of the side veins in leaf coordinates, sheet (0 or 1), dark
