@@ -2,15 +2,21 @@
 //! bundle for that.
 
 use super::dom::{document, find, set_attribute, set_flag, window};
+use js_sys::Promise;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Element, HtmlCanvasElement, HtmlScriptElement};
 
 /// Loads the bundle for WebGL2 where there is nothing better, else the small one for WebGPU: that
 /// one can show the still picture just as well.
+///
+/// What there is to draw with takes longest to find out, so it is asked first, while the rest of the
+/// page is still being read.
 pub async fn boot() {
+    let adapter = ask_for_adapter();
+    page_is_read().await;
     show_poster();
-    let bundle = if !has_webgpu().await && has_webgl2() { "page_gl" } else { "page" };
+    let bundle = if !is_there(adapter).await && has_webgl2() { "page_gl" } else { "page" };
     load(bundle, || {
         let text = "The playground could not be loaded. Please load the page again.";
         find::<Element>("message-list").set_text_content(Some(text));
@@ -70,16 +76,29 @@ fn append_to_head(element: &Element) {
     let _ = document().head().expect("a page has a head").append_child(element);
 }
 
-/// Whether the browser has WebGPU and something to run it on.
-async fn has_webgpu() -> bool {
-    let adapter = || {
-        let gpu = js_sys::Reflect::get(&window().navigator(), &"gpu".into()).ok()?;
-        let ask = js_sys::Reflect::get(&gpu, &"requestAdapter".into()).ok()?;
-        let asked = ask.dyn_ref::<js_sys::Function>()?.call0(&gpu).ok()?;
-        asked.dyn_into::<js_sys::Promise>().ok()
-    };
-    let Some(adapter) = adapter() else { return false };
-    JsFuture::from(adapter).await.is_ok_and(|adapter| adapter.is_truthy())
+/// Until the whole of the HTML stands in the document.
+async fn page_is_read() {
+    if document().ready_state() == "loading" {
+        let read = Promise::new(&mut |resolve, _| {
+            let _ = document().add_event_listener_with_callback("DOMContentLoaded", &resolve);
+        });
+        let _ = JsFuture::from(read).await;
+    }
+}
+
+/// Asks the browser, if it has WebGPU, for something to run it on.
+fn ask_for_adapter() -> Option<Promise> {
+    let gpu = js_sys::Reflect::get(&window().navigator(), &"gpu".into()).ok()?;
+    let ask = js_sys::Reflect::get(&gpu, &"requestAdapter".into()).ok()?;
+    let asked = ask.dyn_ref::<js_sys::Function>()?.call0(&gpu).ok()?;
+    asked.dyn_into().ok()
+}
+
+async fn is_there(adapter: Option<Promise>) -> bool {
+    match adapter {
+        Some(adapter) => JsFuture::from(adapter).await.is_ok_and(|adapter| adapter.is_truthy()),
+        None => false,
+    }
 }
 
 pub fn has_webgl2() -> bool {
