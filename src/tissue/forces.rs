@@ -54,8 +54,8 @@ impl ForceLanes {
 
     /// The forces on a patch's own `k`-th cell, in centimetres:
     /// `sum (1 - adhesion) (1 - d/r) r (x_i - x_j)/d` over the cells within `r`. The cell itself is at
-    /// a distance of exactly 0 from itself and drops out, as does a cell on the very same spot: it has
-    /// no direction to push in.
+    /// a distance of exactly 0 from itself, and as it has no direction, 0, to push in, it adds nothing;
+    /// so does a cell on the very same spot.
     #[inline]
     pub(super) fn push(&self, near: &Near, k: usize, kind: f32) -> Push {
         let at = near.at(k);
@@ -105,7 +105,9 @@ impl ForceLanes {
         let dy = f32x4::splat(at.y) - lanes(&near.y, k);
         let other = lanes(&near.kind, k);
         let squared = dx * dx + dy * dy;
-        let within = squared.simd_lt(self.radius_squared) & squared.simd_gt(f32x4::ZERO) & mask;
+        let within = squared.simd_lt(self.radius_squared) & mask;
+        // Without a direction no length must be infinite.
+        let squared = squared.fast_max(f32x4::splat(f32::MIN_POSITIVE));
         let weight = weights[0] + other * (weights[1] + other * weights[2]);
         // (1 - d/r) r / d = r/d - 1
         let scale = within & (weight * (self.radius / squared.sqrt() - f32x4::ONE));

@@ -5,8 +5,10 @@ use super::{Refusal, say};
 use clonal_mosaic::plants::original::{RUNS, Run, sphere};
 use clonal_mosaic::surface::Mesh;
 use clonal_mosaic::tissue::{Growth, Progress};
+use std::hint::black_box;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
+use wide::f32x4;
 
 const CELLS: [u32; 3] = [10_000, 100_000, 1_000_000];
 const RADIUS_SCALES: [f32; 2] = [1.0, 4.0];
@@ -41,6 +43,11 @@ pub fn bench(runs: u32) -> Result<(), Refusal> {
             run.seconds / seconds
         ))?;
     }
+    let giga_pairs = (0..runs).map(|_| bare_pairs_per_second() / 1e9).fold(0.0, f64::max);
+    say(&format!(
+        "\nCeiling of the force loop: {giga_pairs:.2} G pairs of cells a second, each a square root and a \
+         division.\n"
+    ))?;
     say("\nOne cell in one relaxation event:\n")?;
     for radius_scale in RADIUS_SCALES {
         for cells in CELLS {
@@ -70,6 +77,28 @@ fn event(growth: &mut Growth, cells: u32) -> Duration {
         growth.step();
     }
     started.elapsed() / events
+}
+
+/// Pairs of points in a second of which only the forces are computed, four at a time: what the force
+/// loop would reach if it did nothing else.
+fn bare_pairs_per_second() -> f64 {
+    const POINTS: usize = 1024;
+    const ROUNDS: usize = 20_000;
+    let points: Vec<f32> = (0..POINTS).map(|k| k as f32).collect();
+    let (mut sum_x, mut sum_y) = (f32x4::ZERO, f32x4::ZERO);
+    let started = Instant::now();
+    for round in 0..ROUNDS {
+        let x = f32x4::splat(black_box(round as f32 + 0.5));
+        for four in points.chunks_exact(4) {
+            let dx = x - f32x4::new([four[0], four[1], four[2], four[3]]);
+            let dy = dx + f32x4::ONE;
+            let scale = f32x4::ONE / (dx * dx + dy * dy).sqrt() - f32x4::ONE;
+            sum_x += dx * scale;
+            sum_y += dy * scale;
+        }
+    }
+    black_box((sum_x, sum_y));
+    (ROUNDS * POINTS) as f64 / started.elapsed().as_secs_f64()
 }
 
 /// The processor by its name, where the system tells it, and how many of its cores there are.
