@@ -34,10 +34,11 @@ impl Scene {
     /// Colours, materials and light for a body. `vein_lean` as `geometry::vein_lean` gives it;
     /// `sheet`: the surface has rims, so that light comes through it.
     pub fn set_body(&mut self, look: &Look, bounds: &Bounds, vein_lean: f32, sheet: bool) {
-        self.cells = look.cells.map(|c| linear(c).extend(1.0));
+        let even = |colour| linear(colour).map(f32::sqrt).extend(1.0);
+        self.cells = look.cells.map(even);
         self.tinted = self.cells;
         for &(kind, colour) in look.tinted {
-            self.tinted[kind as usize] = linear(colour).extend(1.0);
+            self.tinted[kind as usize] = even(colour);
         }
         self.look = Vec4::new(look.variation, look.border, look.gloss, flag(look.veins));
         self.tissue.y = vein_lean;

@@ -34,9 +34,9 @@ fn tint_of(tag: u32) -> f32 {
     return f32((tag >> 9u) & 7u) / 7.0;
 }
 
-// The colour of cells of a type. Square roots of linear light are even to the eye.
+// The colour of cells of a type.
 fn tinted(kind: u32, tint: f32) -> vec3f {
-    let colour = mix(sqrt(scene.cells[kind].rgb), sqrt(scene.tinted[kind].rgb), tint);
+    let colour = mix(scene.cells[kind].rgb, scene.tinted[kind].rgb, tint);
     return colour * colour;
 }
 
@@ -55,7 +55,7 @@ fn is_child(tag: u32, other: u32) -> bool {
 fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosaic {
     let head = textureLoad(heads, vec2u(triangle & 2047u, triangle >> 11u), 0);
     if head.y == 0u {
-        return Mosaic(scene.cells[1].rgb, vec2f(0.0));
+        return Mosaic(tinted(1u, 0.0), vec2f(0.0));
     }
     let scale = bitcast<f32>(head.z);
     let here = place / scale + 2048.0;

@@ -9,7 +9,7 @@ struct Scene {
     eye: vec4f,
     // Towards the key light. w: edge of a shadow texel.
     key: vec4f,
-    // Colours of F, B and M cells.
+    // Colours of F, B and M cells: square roots of linear light, which are even to the eye.
     cells: array<vec4f, 3>,
     // The same where a control image tints them.
     tinted: array<vec4f, 3>,
