@@ -23,7 +23,7 @@ const CONTROLS: [&str; 11] = [
 #[test]
 fn nothing_is_out_of_reach_on_a_phone() {
     let Some(page) = Page::start(Graphics::WebGpu) else { return };
-    for (width, height) in [(360, 740), (320, 568), (740, 360)] {
+    for (width, height) in [(360, 740), (320, 568), (740, 360), (667, 375)] {
         page.devtools(
             "Emulation.setDeviceMetricsOverride",
             json!({ "width": width, "height": height, "deviceScaleFactor": 2, "mobile": true }),
