@@ -25,7 +25,7 @@ pub(crate) fn lanes_mut<T>(column: &mut [T], row: usize) -> &mut [T; LANES] {
 /// The whole parts of numbers from 0 up to 2^23, or from a hair below 0 by rounding.
 #[inline]
 pub(super) fn whole(numbers: f32x4) -> f32x4 {
-    // To convert them costs wasm, which has to look out for all others, six times as much.
+    // To convert them takes wasm several instructions: it has to look out for all other numbers.
     if cfg!(target_feature = "simd128") {
         numbers.floor().fast_max(f32x4::ZERO)
     } else {
