@@ -30,7 +30,7 @@ pub struct SiteFinder {
 const BORDER_ROOM: f32 = 0.15;
 
 /// First guess of the distance in which a triangle finds all its sites, in mean spacings.
-const FIRST_REACH: f32 = 1.3;
+const FIRST_REACH: f32 = 1.5;
 
 /// From day 1 on, when cells have moved, charts reach at least so far, in mean spacings: then those of
 /// day 1 serve all days. Day 0, for whose picture everybody waits, needs smaller ones.
