@@ -178,18 +178,12 @@ impl Crowd {
     fn unfold(&mut self, patch: &Neighbourhood, look_cm: f32) {
         self.near.begin(patch.low, patch.high, look_cm);
         for slot in patch.own.clone() {
-            let rows = self.rows_of(self.plan.bins.of(slot));
-            self.near.unfold_own(
-                &self.rows,
-                &self.plan.own[slot].image,
-                rows,
-                slot,
-                self.plan.bins.of(slot).start,
-            );
+            let bins = self.plan.bins.of(slot);
+            let (image, rows) = (&self.plan.own[slot].image, self.rows_of(bins.clone()));
+            self.near.unfold_own(&self.rows, image, rows, slot, bins.start);
         }
         for run in &self.plan.runs[patch.around.clone()] {
-            let rows = self.starts[run.first_bin as usize] as usize
-                ..self.starts[run.end_bin as usize] as usize;
+            let rows = self.rows_of(run.first_bin as usize..run.end_bin as usize);
             self.near.unfold(&self.rows, &run.image, rows);
         }
     }
