@@ -1,7 +1,7 @@
 //! The forces between cells, four neighbours at a time (Thesis 3.2.1.1).
 
 use super::Recipe;
-use super::lanes::{LANES, lanes};
+use super::lanes::{LANES, WIDTH, Wide, wide};
 use super::near::Near;
 use glam::Vec2;
 use std::ops::Range;
@@ -33,21 +33,21 @@ impl Forces {
 
 /// The forces of a day, in all lanes.
 pub(super) struct ForceLanes {
-    radius: f32x4,
-    radius_squared: f32x4,
+    radius: Wide,
+    radius_squared: Wide,
     /// For each type of cell the parabola through the weights of its neighbours' types: cheaper than
     /// to choose among them.
-    weights: [[f32x4; 3]; 3],
+    weights: [[Wide; 3]; 3],
 }
 
 impl ForceLanes {
     pub(super) fn new(forces: &Forces) -> ForceLanes {
         ForceLanes {
-            radius: f32x4::splat(forces.radius),
-            radius_squared: f32x4::splat(forces.radius * forces.radius),
+            radius: Wide::splat(forces.radius),
+            radius_squared: Wide::splat(forces.radius * forces.radius),
             weights: forces.weights.map(|[at_0, at_1, at_2]| {
                 let bend = 0.5 * (at_2 - at_1) - 0.5 * (at_1 - at_0);
-                [at_0, at_1 - at_0 - bend, bend].map(f32x4::splat)
+                [at_0, at_1 - at_0 - bend, bend].map(Wide::splat)
             }),
         }
     }
@@ -74,45 +74,46 @@ impl ForceLanes {
         sum: &mut Push,
         near: &Near,
         at: Vec2,
-        weights: &[f32x4; 3],
+        weights: &[Wide; 3],
         window: Range<u32>,
     ) {
         let mut k = window.start as usize;
         let mut left = (window.end - window.start) as usize;
-        // Most windows hold from five to eight cells: always to do two fours costs less than to go
-        // wrong about a branch.
-        self.add_four(sum, near, at, weights, k, first(left, 0));
-        while left > 2 * LANES {
-            k += LANES;
-            left -= LANES;
-            self.add_four(sum, near, at, weights, k, ALL);
+        while left > EIGHT {
+            self.add_wide(sum, near, at, weights, k, ALL);
+            k += WIDTH;
+            left -= WIDTH;
         }
-        self.add_four(sum, near, at, weights, k + LANES, first(left, 1));
+        // Most windows hold from five to eight cells: always to do eight costs less than to go wrong
+        // about a branch.
+        for done in (0..EIGHT).step_by(WIDTH) {
+            self.add_wide(sum, near, at, weights, k + done, first(left, done));
+        }
     }
 
-    /// Adds the forces of four cells, the `k`-th and those that follow, as far as the mask lets them.
+    /// Adds the forces of the cells from the `k`-th on that stand side by side, as far as the mask lets
+    /// them.
     #[inline(always)]
-    fn add_four(
+    fn add_wide(
         &self,
         sum: &mut Push,
         near: &Near,
         at: Vec2,
-        weights: &[f32x4; 3],
+        weights: &[Wide; 3],
         k: usize,
-        mask: f32x4,
+        mask: Wide,
     ) {
-        let dx = f32x4::splat(at.x) - lanes(&near.x, k);
-        let dy = f32x4::splat(at.y) - lanes(&near.y, k);
-        let other = lanes(&near.kind, k);
+        let dx = Wide::splat(at.x) - wide(&near.x, k);
+        let dy = Wide::splat(at.y) - wide(&near.y, k);
+        let other = wide(&near.kind, k);
         let squared = dx * dx + dy * dy;
         let within = squared.simd_lt(self.radius_squared) & mask;
         // Without a direction no length must be infinite.
-        let squared = squared.fast_max(f32x4::splat(f32::MIN_POSITIVE));
+        let squared = squared.fast_max(Wide::splat(f32::MIN_POSITIVE));
         let weight = weights[0] + other * (weights[1] + other * weights[2]);
         // (1 - d/r) r / d = r/d - 1
-        let scale = within & (weight * (self.radius / squared.sqrt() - f32x4::ONE));
-        sum.x += dx * scale;
-        sum.y += dy * scale;
+        let scale = within & (weight * (self.radius / squared.sqrt() - Wide::ONE));
+        sum.add(dx * scale, dy * scale);
     }
 }
 
@@ -124,6 +125,17 @@ pub(super) struct Push {
 }
 
 impl Push {
+    /// Adds the forces of neighbours side by side: four by four, so that the sums are the same
+    /// whatever the width.
+    #[inline(always)]
+    fn add(&mut self, x: Wide, y: Wide) {
+        let (x, y): (Fours, Fours) = (bytemuck::cast(x), bytemuck::cast(y));
+        for (x, y) in x.into_iter().zip(y) {
+            self.x += x;
+            self.y += y;
+        }
+    }
+
     /// The whole forces on four cells, as x and y.
     #[inline]
     pub(super) fn totals(four: &[Push; LANES]) -> (f32x4, f32x4) {
@@ -142,13 +154,18 @@ fn kind_index(kind: f32) -> usize {
     (kind.to_bits() >> 29) as usize
 }
 
-const ON: f32 = f32::from_bits(u32::MAX);
-const ALL: f32x4 = f32x4::new([ON; LANES]);
+type Fours = [f32x4; WIDTH / LANES];
 
-/// A mask of those of four numbers, the first four or the second, that are among the first `left`.
+/// How many neighbours a window has room for without a branch.
+pub(super) const EIGHT: usize = 8;
+
+const ON: f32 = f32::from_bits(u32::MAX);
+const ALL: Wide = Wide::new([ON; WIDTH]);
+
+/// A mask of those of the numbers from `done` on that are among the first `left`.
 #[inline(always)]
-fn first(left: usize, four: usize) -> f32x4 {
-    const MASKS: [f32; 4 * LANES] =
+fn first(left: usize, done: usize) -> Wide {
+    const MASKS: [f32; 2 * EIGHT] =
         [ON, ON, ON, ON, ON, ON, ON, ON, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-    lanes(&MASKS, 2 * LANES - left.min(2 * LANES) + four * LANES)
+    wide(&MASKS, EIGHT - left + done)
 }

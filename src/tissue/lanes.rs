@@ -5,6 +5,15 @@ use wide::{f32x4, u32x4};
 /// Numbers that are worked on side by side.
 pub(crate) const LANES: usize = 4;
 
+/// As many numbers as the processors that this is compiled for work on side by side.
+#[cfg(target_feature = "avx2")]
+pub(super) type Wide = wide::f32x8;
+#[cfg(not(target_feature = "avx2"))]
+pub(super) type Wide = f32x4;
+
+/// How many these are.
+pub(super) const WIDTH: usize = size_of::<Wide>() / size_of::<f32>();
+
 /// Four numbers from a row of a column on.
 #[inline]
 pub(crate) fn lanes(column: &[f32], row: usize) -> f32x4 {
@@ -12,6 +21,14 @@ pub(crate) fn lanes(column: &[f32], row: usize) -> f32x4 {
     // SAFETY: every column ends with spare rows, and rows come from `starts` and `len`, which count
     // rows that are there. A checked load costs the gather a fifth of its time.
     f32x4::new(unsafe { *column.as_ptr().add(row).cast::<[f32; LANES]>() })
+}
+
+/// The numbers from a row of a column on.
+#[inline]
+pub(super) fn wide(column: &[f32], row: usize) -> Wide {
+    debug_assert!(row + WIDTH <= column.len());
+    // SAFETY: as above.
+    Wide::new(unsafe { *column.as_ptr().add(row).cast::<[f32; WIDTH]>() })
 }
 
 /// Four numbers from a row of a column on, to be written.
