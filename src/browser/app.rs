@@ -1,6 +1,7 @@
 //! The one application of this page: takes events to the page's brain, does what it says, and brings
 //! the document into agreement with it.
 
+use super::address::{base, fragment, write_link};
 use super::backend;
 use super::chooser::Chooser;
 use super::controls::Controls;
@@ -24,7 +25,6 @@ use crate::play::page::{Effect, Event, Page};
 use crate::play::parameters::Parameter;
 use crate::play::protocol::BUILD;
 use std::cell::RefCell;
-use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::spawn_local;
 
 /// A device that is lost more often than this in `LOSSES_WITHIN_MS` is not asked for again.
@@ -208,12 +208,6 @@ pub fn address() -> String {
     format!("{}#{}", base(), link.unwrap_or_default())
 }
 
-/// The address of the page without its fragment.
-fn base() -> String {
-    let href = window().location().href().unwrap_or_default();
-    href.split('#').next().unwrap_or_default().to_string()
-}
-
 /// The individual that is wished now.
 pub fn individual() -> u32 {
     APP.with_borrow(|app| app.as_ref().map_or(0, |app| app.page.scene().individual))
@@ -221,10 +215,6 @@ pub fn individual() -> u32 {
 
 fn with(f: impl FnOnce(&mut App)) {
     APP.with_borrow_mut(|app| app.as_mut().map(f));
-}
-
-fn fragment() -> String {
-    window().location().hash().unwrap_or_default()
 }
 
 impl App {
@@ -249,7 +239,7 @@ impl App {
         }
         if let Some(number) = asked {
             self.gallery = Some(Gallery::open(number, &self.page.link()));
-            return self.frames.ask();
+            return self.refresh();
         }
         self.hear(Event::OpenLink(fragment));
         if self.mail.is_none() {
@@ -320,7 +310,13 @@ impl App {
         self.timeline.show(page);
         self.show_chooser.show(page);
         self.panel.show(page);
-        self.controls.show(page, self.stage.backend());
+        self.controls.show(page);
+        self.show_state();
+    }
+
+    fn show_state(&self) {
+        let state = self.gallery.as_ref().map_or(self.page.state(), Gallery::state);
+        self.controls.show_state(state, &self.page, self.stage.backend());
     }
 
     fn frame(&mut self, now_ms: f64) {
@@ -360,8 +356,9 @@ impl App {
         match gallery.show(&mut self.stage, is_dark()) {
             Ok(true) => self.frames.ask(),
             Ok(false) => self.frames.rest(),
-            Err(_) => self.lose(),
+            Err(_) => return self.lose(),
         }
+        self.show_state();
     }
 
     fn lose(&mut self) {
@@ -386,12 +383,4 @@ async fn load_mesh(name: &'static str) {
     let text = mail::fetch_text(&format!("./meshes/{name}?build={BUILD}")).await;
     send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
     send(Event::Mesh { name, text });
-}
-
-fn write_link(link: &str) {
-    if let Ok(history) = window().history() {
-        // Fails only where a browser allows no more writing for a while; the next one will do.
-        let address = format!("#{link}");
-        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
-    }
 }

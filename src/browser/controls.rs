@@ -8,6 +8,7 @@ use super::dom::{
 };
 use crate::play::page::{Event, Page, State};
 use crate::play::words;
+use crate::tissue::DayCount;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Element, HtmlDialogElement, HtmlElement, HtmlInputElement};
 
@@ -71,9 +72,8 @@ impl Controls {
         }
     }
 
-    /// Shows what is on the screen, drawn by this backend.
-    pub fn show(&self, page: &Page, backend: &str) {
-        self.show_state(page, backend);
+    /// Shows what is on the screen.
+    pub fn show(&self, page: &Page) {
         let scene = page.scene();
         let plant = scene.plant;
         set_text(&self.name, plant.name);
@@ -87,28 +87,19 @@ impl Controls {
         match &page.shown().day {
             Some(shown) => {
                 let count = shown.facts.count;
-                let part = words::share(count.by_type[0], count.cells);
                 set_text(day, &shown.day.to_string());
                 set_text(cells, &words::grouped(count.cells));
-                set_text(share, &format!("{part} {}", plant.colour_names[0]));
+                set_text(share, &words::shares(plant, count));
                 set_text(fingerprint, &shown.facts.fingerprint);
-                let percent = 100.0 * f64::from(count.by_type[0]) / f64::from(count.cells.max(1));
-                let [f, b, _] = scene.look.cells.map(|[r, g, b]| {
-                    let byte = |x: f32| (x * 255.0).round() as u8;
-                    format!("rgb({} {} {})", byte(r), byte(g), byte(b))
-                });
-                set_attribute(
-                    &self.share,
-                    "style",
-                    format!("--share: {percent:.1}%; --foreground: {f}; --background: {b}"),
-                );
+                set_attribute(&self.share, "style", bar(count, &scene.look.cells));
             }
             None => self.facts.iter().for_each(|fact| set_text(fact, "–")),
         }
     }
 
-    fn show_state(&self, page: &Page, backend: &str) {
-        let state = match page.state() {
+    /// Tells tests and embedders what is on the screen, drawn by this backend.
+    pub fn show_state(&self, state: State, page: &Page, backend: &str) {
+        let state = match state {
             State::Loading => "loading",
             State::Growing => "growing",
             State::Ready => "ready",
@@ -134,6 +125,17 @@ impl Controls {
             set_attribute(&self.root, name, value);
         }
     }
+}
+
+/// The style of a bar in the colours of F, M and B, each as long as its share of the cells.
+fn bar(count: DayCount, colours: &[[f32; 3]; 3]) -> String {
+    let percent = |cells: u32| 100.0 * f64::from(cells) / f64::from(count.cells.max(1));
+    let [f, b, m] = colours.map(|rgb| {
+        let [r, g, b] = rgb.map(|x| (x * 255.0).round() as u8);
+        format!("rgb({r} {g} {b})")
+    });
+    let [to_f, to_m] = [count.by_type[0], count.by_type[0] + count.by_type[2]].map(percent);
+    format!("background: linear-gradient(90deg, {f} {to_f:.1}%, {m} 0 {to_m:.1}%, {b} 0)")
 }
 
 fn click(id: &str, mut act: impl FnMut() + 'static) -> Listener {

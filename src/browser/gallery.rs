@@ -13,8 +13,8 @@ use crate::draw::DrawError;
 use crate::plants;
 use crate::play::figures::{FIGURES, Figure};
 use crate::play::gallery::{self, Event, Row};
-use crate::play::page::Effect;
-use crate::play::{link, words};
+use crate::play::page::{Effect, State};
+use crate::play::{Scene, link, words};
 use wasm_bindgen::JsCast;
 use web_sys::{
     CanvasRenderingContext2d, Element, HtmlCanvasElement, HtmlElement, HtmlInputElement,
@@ -35,6 +35,7 @@ pub struct Gallery {
     rows: Vec<RowView>,
     /// Until when the scroll must rest.
     rests_ms: Option<f64>,
+    state: State,
     _scroll: Listener,
 }
 
@@ -83,7 +84,8 @@ impl Gallery {
         let _ = root.focus();
         let scroll = on(&root, "scroll", |_: web_sys::Event| app::figures_scrolled());
         let brain = gallery::Gallery::new(plants::all(), count);
-        Gallery { brain, workers, root, rows, rests_ms: Some(0.0), _scroll: scroll }
+        let (rests_ms, state) = (Some(0.0), State::Loading);
+        Gallery { brain, workers, root, rows, rests_ms, state, _scroll: scroll }
     }
 
     /// Takes an event; what the page must do is returned.
@@ -101,6 +103,11 @@ impl Gallery {
     /// Whether a figure is the one that grows.
     pub fn grows(&self, figure: &Figure) -> bool {
         self.brain.row().is_some_and(|row| row.figure == figure)
+    }
+
+    /// How far the row that grows has come.
+    pub fn state(&self) -> State {
+        self.state
     }
 
     /// The reader scrolls: what comes into sight waits for the end of that.
@@ -144,6 +151,7 @@ impl Gallery {
                 continue;
             }
             if now_ms() >= until_ms {
+                self.state = State::Growing;
                 return Ok(true);
             }
             let mesh = self.brain.mesh(shown.scene.plant.mesh.name);
@@ -152,11 +160,13 @@ impl Gallery {
                 set_flag(&picture.element, "data-live", true);
             }
             let count = shown.facts.count;
-            let colour = shown.scene.plant.colour_names[0];
-            let share = words::share(count.by_type[0], count.cells);
-            let told = format!("{} cells, {share} {colour}", words::grouped(count.cells));
+            let shares = words::shares(shown.scene.plant, count);
+            let told = format!("{} cells, {shares}", words::grouped(count.cells));
             set_text(&picture.told, &told);
         }
+        self.state = row.state(|shown, k| {
+            stage.is_still() || view.pictures[k].drawn == Some((shown.generation, shown.day))
+        });
         Ok(waits)
     }
 }
@@ -177,26 +187,28 @@ impl RowView {
         set_attribute(&number, "href", format!("#figures/{}", figure.number));
         set_text(&within(&element, ".title"), figure.title);
         set_text(&within(&element, ".figure-caption"), figure.caption);
-        let scene = link::read(figure.pictures[0].link, plants::all()).scene;
-        set_text(&within(&element, ".latin"), scene.plant.latin);
-        set_text(&within(&element, ".numbers"), &words::numbers(&scene.recipe));
+        let scene = |k: usize| link::read(figure.pictures[k].link, plants::all()).scene;
+        let first: Scene = scene(0);
+        set_text(&within(&element, ".latin"), first.plant.latin);
+        set_text(&within(&element, ".numbers"), &words::numbers(&first.recipe));
         let row: Element = within(&element, ".pictures");
+        set_attribute(&row, "style", format!("--count: {}", figure.pictures.len()));
         let mut listeners = Vec::new();
-        let pictures = figure.pictures.iter().map(|picture| {
+        let pictures = figure.pictures.iter().enumerate().map(|(k, picture)| {
             let tile = copy_of_template("picture-template");
             set_attribute(&tile, "href", format!("#{}", picture.link));
             set_text(&within(&tile, ".label"), picture.label);
             let still: Element = within(&tile, "img");
-            let plant = link::read(picture.link, plants::all()).scene.plant;
             listeners.push(mark_when_missing(&still));
-            set_attribute(&still, "src", format!("posters/{}-small.avif", plant.key));
+            set_attribute(&still, "src", format!("posters/{}.avif", figure.poster(k)));
             let canvas: HtmlCanvasElement = within(&tile, "canvas");
             let _ = row.append_child(&tile);
             let pen = canvas.get_context("2d").ok().flatten().expect("browsers draw in 2D");
             let told = within(&tile, ".told");
             PictureView { element: tile.into(), pen: pen.unchecked_into(), told, drawn: None }
         });
-        let pictures = pictures.collect();
+        let pictures: Vec<PictureView> = pictures.collect();
+        let last_day = (0..pictures.len()).map(|k| scene(k).day).max().unwrap_or(0);
         let day: HtmlInputElement = within(&element, ".days input");
         let field = day.clone();
         listeners.push(on(&day, "input", move |_: web_sys::Event| {
@@ -206,13 +218,20 @@ impl RowView {
         let _ = list.append_child(&element);
         let told_day = within(&element, ".days output");
         let trouble = within(&element, ".trouble");
-        RowView { figure, element, pictures, day, told_day, trouble, _listeners: listeners }
+        set_attribute(&day, "max", last_day);
+        let view =
+            RowView { figure, element, pictures, day, told_day, trouble, _listeners: listeners };
+        view.tell_day(last_day);
+        view
+    }
+
+    fn tell_day(&self, day: u32) {
+        self.day.set_value(&day.to_string());
+        set_text(&self.told_day, &format!("Day {day}"));
     }
 
     fn tell(&self, row: &Row) {
-        set_attribute(&self.day, "max", row.last_day());
-        self.day.set_value(&row.day.to_string());
-        set_text(&self.told_day, &format!("Day {}", row.day));
+        self.tell_day(row.day);
         set_text(&self.trouble, row.trouble.as_deref().unwrap_or_default());
     }
 }

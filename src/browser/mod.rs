@@ -2,6 +2,8 @@
 //! What can be decided without a browser is decided in `play`.
 
 #[cfg(feature = "draw")]
+mod address;
+#[cfg(feature = "draw")]
 mod app;
 #[cfg(feature = "draw")]
 mod backend;

@@ -130,6 +130,11 @@ impl Stage {
         self.graphics = Graphics::None;
     }
 
+    /// Whether there is nothing but still pictures.
+    pub fn is_still(&self) -> bool {
+        matches!(self.graphics, Graphics::None)
+    }
+
     /// Puts a new canvas in the place of one whose device is lost: the old one may never draw again.
     pub fn renew_canvas(&mut self) {
         self.graphics = Graphics::Starting;

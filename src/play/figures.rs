@@ -13,6 +13,13 @@ pub struct Figure {
     pub pictures: &'static [Picture],
 }
 
+impl Figure {
+    /// The name of a picture's still: `figure-4.8-2` of the second.
+    pub fn poster(&self, picture: usize) -> String {
+        format!("figure-{}-{}", self.number, picture + 1)
+    }
+}
+
 /// A picture of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Picture {

@@ -4,7 +4,7 @@
 
 use super::figures::Figure;
 use super::meshes::Meshes;
-use super::page::Effect;
+use super::page::{Effect, State};
 use super::protocol::{BUILD, ToPage, ToWorker};
 use super::run::DayFacts;
 use super::{End, Run, Scene, link};
@@ -151,7 +151,13 @@ impl Gallery {
                     effects.push((number, Effect::Post(ToWorker::Stop)));
                 }
             }
-            ToPage::Full { generation } | ToPage::Done { generation } => hand.finish(generation),
+            ToPage::Full { generation } => {
+                hand.finish(generation);
+                if let Some(run) = runs.iter_mut().find(|run| run.generation == generation) {
+                    run.end = Some(End::Full);
+                }
+            }
+            ToPage::Done { generation } => hand.finish(generation),
             ToPage::Failed { generation, text } => {
                 hand.finish(generation);
                 if let Some(run) = runs.iter_mut().find(|run| run.generation == generation) {
@@ -211,6 +217,23 @@ impl Row {
         let day = self.day.min(scene.day).min(run.newest()?);
         let (facts, lists) = (run.facts(day)?, run.lists(day)?);
         Some(ShownPicture { scene, generation: run.generation, day, facts, lists })
+    }
+
+    /// How far the row has come, given the pictures that are on the screen.
+    pub fn state(&self, is_drawn: impl Fn(&ShownPicture, usize) -> bool) -> State {
+        if self.trouble.is_some() {
+            return State::Error;
+        }
+        let mut all = State::Ready;
+        for (k, scene) in self.pictures.iter().enumerate() {
+            let Some(shown) = self.shown(k) else { return State::Loading };
+            let run = self.runs.iter().find(|run| run.generation == shown.generation);
+            let full = run.is_some_and(|run| run.end.is_some());
+            if !(is_drawn(&shown, k) && (full || shown.day == self.day.min(scene.day))) {
+                all = State::Growing;
+            }
+        }
+        all
     }
 
     fn plant(&self) -> &'static Plant {
@@ -317,7 +340,14 @@ mod tests {
             let mut all = Together::new(workers);
             all.hear(Event::Open(&ROW));
             assert_eq!(all.days(), [None; 3]);
+            let state = |all: &Together, drawn| all.gallery.row().unwrap().state(|_, _| drawn);
+            assert_eq!(state(&all, true), State::Loading);
+            while all.days().contains(&None) {
+                all.work();
+            }
+            assert_eq!(state(&all, true), State::Growing);
             all.finish();
+            assert_eq!((state(&all, false), state(&all, true)), (State::Growing, State::Ready));
             assert_eq!(all.days(), [Some(2), Some(4), Some(5)]);
             assert_eq!(all.loads, 1);
             assert_eq!(all.wishes, if workers == 1 { [0, 0] } else { [0, 1] });
@@ -356,6 +386,8 @@ mod tests {
         assert_eq!(gallery.hear(Event::Open(&ROW)), [(0, Effect::LoadMesh("leaf"))]);
         let text = Err("no connection".to_string());
         assert_eq!(gallery.hear(Event::Mesh { name: "leaf", text }), []);
-        assert!(gallery.row().unwrap().trouble.as_ref().unwrap().contains("no connection"));
+        let row = gallery.row().unwrap();
+        assert!(row.trouble.as_ref().unwrap().contains("no connection"));
+        assert_eq!(row.state(|_, _| true), State::Error);
     }
 }

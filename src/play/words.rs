@@ -4,7 +4,7 @@ use super::page::ShownDay;
 use super::run::Run;
 use super::scene::Scene;
 use crate::plants::{Plant, Show};
-use crate::tissue::Recipe;
+use crate::tissue::{DayCount, Recipe};
 
 /// `Croton, individual 7, day 12: 31,402 cells, 38% yellow`; then whether the colours are noise, and
 /// what is seen in place of the cells: `, Perlin noise. Control images`.
@@ -12,16 +12,23 @@ pub fn describe(scene: &Scene, individual: u32, day: &ShownDay, show: Show) -> S
     let Scene { plant, noise, .. } = scene;
     let count = day.facts.count;
     format!(
-        "{}, individual {individual}, day {}: {} {}, {} {}{}{}",
+        "{}, individual {individual}, day {}: {} {}, {}{}{}",
         plant.name,
         day.day,
         grouped(count.cells),
         if count.cells == 1 { "cell" } else { "cells" },
-        share(count.by_type[0], count.cells),
-        plant.colour_names[0],
+        shares(plant, count),
         if *noise { ", Perlin noise" } else { "" },
         if show == Show::Cells { String::new() } else { format!(". {}", show.name()) }
     )
+}
+
+/// How many cells are of the colours that the others stand before: `38% yellow`, or where there is a
+/// third, `38% yellow, 5% red`.
+pub fn shares(plant: &Plant, count: DayCount) -> String {
+    let [f, _, m] = plant.colour_names;
+    let part = |kind: usize, name| format!("{} {name}", share(count.by_type[kind], count.cells));
+    if m.is_empty() { part(0, f) } else { format!("{}, {}", part(0, f), part(2, m)) }
 }
 
 /// A share in percent, never rounded to none or all when it is not: `38%`, `under 1%`.

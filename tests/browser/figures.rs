@@ -53,9 +53,42 @@ fn pixels(page: &Page, picture: usize) -> [f64; 2] {
     serde_json::from_value(page.run(&script)).expect("two numbers")
 }
 
+/// How much each still of the row differs from each live picture, 0 to 255 in the mean.
+fn differences(page: &Page) -> Vec<Vec<f64>> {
+    // Those behind live pictures need not have been loaded.
+    page.wait_for(
+        "the stills",
+        &format!(
+            "const row = document.getElementById('figure-{NUMBER}');
+             const stills = [...row.querySelectorAll('.picture img')];
+             stills.forEach(still => still.loading = 'eager');
+             return stills.every(still => still.complete && still.naturalWidth > 0)"
+        ),
+    );
+    let script = format!(
+        "const data = picture => {{
+             const pen = new OffscreenCanvas(120, 120).getContext('2d');
+             pen.drawImage(picture, 0, 0, 120, 120);
+             return pen.getImageData(0, 0, 120, 120).data
+         }};
+         const all = what =>
+             [...document.getElementById('figure-{NUMBER}').querySelectorAll(what)].map(data);
+         const live = all('canvas');
+         return all('.picture img').map(still => live.map(other =>
+             still.reduce((sum, x, k) => sum + Math.abs(x - other[k]), 0) / still.length))"
+    );
+    serde_json::from_value(page.run(&script)).expect("numbers")
+}
+
 fn a_row_grows_and_opens(graphics: Graphics) {
     let Some(page) = Page::open(graphics, &format!("#figures/{NUMBER}")) else { return };
     wait_for_row(&page, &expected());
+    page.ready();
+    for (k, row) in differences(&page).iter().enumerate() {
+        let nearest = (0..row.len()).min_by(|&a, &b| row[a].total_cmp(&row[b]));
+        assert_eq!(nearest, Some(k), "stills are those of these pictures: {row:?}");
+        assert!(row[k] < 5.0, "and drawn by this engine: {row:?}");
+    }
     let greens = [0, 1, 2].map(|k| {
         let [drawn, green] = pixels(&page, k);
         assert!((0.1..0.9).contains(&drawn), "{drawn} of the picture is drawn");

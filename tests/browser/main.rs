@@ -9,6 +9,7 @@ mod ladder;
 mod measure;
 mod page;
 mod pixels;
+mod posters;
 mod rays;
 mod reach;
 mod sameness;

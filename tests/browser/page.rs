@@ -218,7 +218,13 @@ impl Page {
     /// What the canvas shows.
     #[track_caller]
     pub fn picture(&self) -> Picture {
-        Picture::decode(&self.browser.screenshot(&self.element("#canvas")))
+        Picture::decode(&self.png("#canvas"))
+    }
+
+    /// An element as it is on the screen, as a PNG file.
+    #[track_caller]
+    pub fn png(&self, css: &str) -> Vec<u8> {
+        from_base64(&self.browser.screenshot(&self.element(css)))
     }
 
     #[track_caller]
@@ -252,8 +258,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    fn decode(base64: &str) -> Picture {
-        let bytes = from_base64(base64);
+    fn decode(bytes: &[u8]) -> Picture {
         let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
         let mut data = vec![0; reader.output_buffer_size().expect("a small picture")];
         let info = reader.next_frame(&mut data).expect("a whole PNG");
@@ -281,7 +286,7 @@ impl Picture {
     }
 }
 
-fn from_base64(text: &str) -> Vec<u8> {
+pub fn from_base64(text: &str) -> Vec<u8> {
     let value = |c: u8| match c {
         b'A'..=b'Z' => c - b'A',
         b'a'..=b'z' => c - b'a' + 26,

@@ -1,0 +1,24 @@
+//! The address of the page, whose fragment is the link of what is shown.
+
+use super::dom::window;
+use wasm_bindgen::JsValue;
+
+/// The address without its fragment.
+pub fn base() -> String {
+    let href = window().location().href().unwrap_or_default();
+    href.split('#').next().unwrap_or_default().to_string()
+}
+
+/// The fragment with its `#`; empty without one.
+pub fn fragment() -> String {
+    window().location().hash().unwrap_or_default()
+}
+
+/// Makes a link the fragment, in the place of the one that is there.
+pub fn write_link(link: &str) {
+    if let Ok(history) = window().history() {
+        // Fails only where a browser allows no more writing for a while; the next one will do.
+        let address = format!("#{link}");
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
+    }
+}
