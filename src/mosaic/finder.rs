@@ -64,7 +64,7 @@ impl SiteFinder {
         let born_before = diary.days[day.saturating_sub(1)].places.len() as u32;
         if day == 1 {
             // Those of day 0 are too small for any later one.
-            self.charts = Charts::new(mesh);
+            self.charts.clear();
         }
         self.cells.gather(mesh, &mut self.charts, diary, day, spacing);
         self.cell_of.clear();

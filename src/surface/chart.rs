@@ -1,10 +1,9 @@
 //! The triangles around a triangle, unfolded into its plane (Turk91).
 
-use super::lengths::{distance, length, normalized};
+use super::lengths::{distance, length};
+use super::sight::is_in_sight;
 use super::{Mesh, NO_TWIN};
 use glam::Vec2;
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 use wide::f32x4;
 
 /// A triangle unfolded into the plane of another, the chart's home.
@@ -80,8 +79,14 @@ impl Charts {
         Charts {
             spans: vec![UNBUILT; mesh.triangles.len()],
             images: Vec::new(),
-            builder: Builder::default(),
+            builder: Builder::new(mesh),
         }
+    }
+
+    /// Forgets all charts.
+    pub fn clear(&mut self) {
+        self.images.clear();
+        self.spans.fill(UNBUILT);
     }
 
     /// The images of all triangles within `radius` (centimetres) of a triangle, itself first, then
@@ -89,8 +94,7 @@ impl Charts {
     pub fn around(&mut self, mesh: &Mesh, home: u32, radius: f32) -> &[Image] {
         if self.spans[home as usize].radius < radius {
             if self.images.len() > MAX_IMAGES {
-                self.images.clear();
-                self.spans.fill(UNBUILT);
+                self.clear();
             }
             let first = self.images.len();
             self.builder.build(mesh, home, radius, &mut self.images);
@@ -105,13 +109,20 @@ impl Charts {
 /// One way out of a chart: an edge of an image, and the edges crossed to come there.
 #[derive(Clone, Copy, Debug)]
 struct Portal {
-    /// The half-edge as seen from the image it leads out of.
-    half_edge: u32,
+    /// The half-edge on the far side.
+    twin: u32,
     left: Vec2,
     right: Vec2,
-    /// The portal through which that image was entered.
-    before: Option<u32>,
+    /// The portal through which that image was entered, or `NONE`.
+    before: u32,
+    /// The next one that waits at the same step of distance, or `NONE`.
+    next: u32,
 }
+
+const NONE: u32 = u32::MAX;
+
+/// Distances up to the radius of a chart are told apart in so many steps.
+const STEPS: usize = 64;
 
 /// Where a triangle stands in a chart.
 #[derive(Clone, Copy, Debug, Default)]
@@ -121,39 +132,59 @@ struct Seen {
     count: u32,
 }
 
-#[derive(Default, Debug)]
+#[derive(Debug)]
 struct Builder {
     portals: Vec<Portal>,
-    /// Waiting portals by distance, then number, in one word.
-    waiting: BinaryHeap<Reverse<u64>>,
+    /// For each step of distance the first and the last of the portals that wait there, if any does.
+    waiting: [[u32; 2]; STEPS],
+    /// The steps where some wait, as bits.
+    steps: u64,
     /// The number of the chart under way.
     chart: u32,
     /// For each triangle the last chart in which it stood, and its images there.
     seen: Vec<Seen>,
     /// The ends of the portals that lead to one of them.
     chain: Vec<(Vec2, Vec2)>,
+    /// For each half-edge the corner opposite to it, as shares of the edge along and across it.
+    apexes: Vec<Vec2>,
 }
 
 impl Builder {
+    fn new(mesh: &Mesh) -> Builder {
+        let apexes = mesh.frames.iter().flat_map(|frame| {
+            let corners = frame.corners();
+            std::array::from_fn::<Vec2, 3, _>(|k| {
+                let [from, to, apex] = [(k + 1) % 3, (k + 2) % 3, k].map(|k| corners[k]);
+                let (edge, arm) = (to - from, apex - from);
+                Vec2::new(edge.dot(arm), edge.perp_dot(arm)) / edge.length_squared()
+            })
+        });
+        Builder {
+            portals: Vec::new(),
+            waiting: [[NONE; 2]; STEPS],
+            steps: 0,
+            chart: 0,
+            seen: vec![Seen::default(); mesh.triangles.len()],
+            chain: Vec::new(),
+            apexes: apexes.collect(),
+        }
+    }
+
     fn build(&mut self, mesh: &Mesh, home: u32, radius: f32, images: &mut Vec<Image>) {
         let corners = mesh.frames[home as usize].corners();
         let disc = Disc::around(corners);
+        let steps_per_cm = STEPS as f32 / radius;
         self.portals.clear();
-        self.waiting.clear();
         self.chart += 1;
-        self.seen.resize(mesh.triangles.len(), Seen::default());
         images.push(image(home, 0.0, corners));
         for k in 0..3 {
-            self.push_edge(3 * home + k as u32, &corners, 0.0, None);
+            // Seen from inside, an edge's first corner is on the right hand of who walks out.
+            let (right, left) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
+            self.push(mesh.twins[3 * home as usize + k], left, right, 0, NONE);
         }
-        while let Some(Reverse(waiting)) = self.waiting.pop() {
-            let (distance, number) = (f32::from_bits((waiting >> 32) as u32), waiting as u32);
+        while let Some((step, number)) = self.pop() {
             let portal = self.portals[number as usize];
-            let twin = mesh.twins[portal.half_edge as usize];
-            if twin == NO_TWIN {
-                continue;
-            }
-            let (triangle, entered) = (twin / 3, twin as usize % 3);
+            let (triangle, entered) = (portal.twin / 3, portal.twin as usize % 3);
             let mut seen = self.seen[triangle as usize];
             if seen.chart != self.chart {
                 seen = Seen { chart: self.chart, ..Seen::default() };
@@ -169,131 +200,71 @@ impl Builder {
                     continue;
                 }
             }
-            let unfolded = unfold(mesh, twin as usize, portal.left, portal.right);
+            let Portal { left, right, .. } = portal;
+            let (edge, share) = (right - left, self.apexes[portal.twin as usize]);
+            let apex = left + edge * share.x + edge.perp() * share.y;
             seen.copies[seen.count as usize] = images.len() as u32;
             seen.count += 1;
             self.seen[triangle as usize] = seen;
             // Who comes straight from home comes through the portal: nothing of the image is nearer.
-            images.push(image(triangle, distance, unfolded));
-            for k in [(entered + 1) % 3, (entered + 2) % 3] {
-                let farther = disc.distance(unfolded[(k + 1) % 3], unfolded[(k + 2) % 3]);
-                let farther = farther.max(distance);
+            let turned = [apex, left, right, apex, left, right];
+            let corners = std::array::from_fn(|k| turned[(3 - entered) % 3 + k]);
+            images.push(image(triangle, step as f32 / steps_per_cm, corners));
+            for (k, left, right) in [(1, apex, right), (2, left, apex)] {
+                let farther = disc.distance(left, right);
                 if farther <= radius {
-                    self.push_edge(3 * triangle + k as u32, &unfolded, farther, Some(number));
+                    let step = ((farther * steps_per_cm) as usize).clamp(step, STEPS - 1);
+                    let half_edge = 3 * triangle as usize + (entered + k) % 3;
+                    self.push(mesh.twins[half_edge], left, right, step, number);
                 }
             }
         }
-        // Popped in the order of their distances: home first, then outwards.
+        // They came in the order of their distances: home first, then outwards.
     }
 
-    fn push_edge(
-        &mut self,
-        half_edge: u32,
-        unfolded: &[Vec2; 3],
-        distance: f32,
-        before: Option<u32>,
-    ) {
-        // Seen from inside, the edge's first corner is on the right hand of who walks out.
-        let k = half_edge as usize % 3;
-        let (right, left) = (unfolded[(k + 1) % 3], unfolded[(k + 2) % 3]);
+    fn push(&mut self, twin: u32, left: Vec2, right: Vec2, step: usize, before: u32) {
+        if twin == NO_TWIN {
+            return;
+        }
         let number = self.portals.len() as u32;
-        self.portals.push(Portal { half_edge, left, right, before });
-        // Distances are not negative, so their bits order as they do.
-        self.waiting.push(Reverse(u64::from(distance.to_bits()) << 32 | u64::from(number)));
+        self.portals.push(Portal { twin, left, right, before, next: NONE });
+        let [first, last] = &mut self.waiting[step];
+        if self.steps & 1 << step == 0 {
+            *first = number;
+        } else {
+            self.portals[*last as usize].next = number;
+        }
+        *last = number;
+        self.steps |= 1 << step;
+    }
+
+    /// Takes the first of the nearest portals that wait: its step of distance and its number.
+    fn pop(&mut self) -> Option<(usize, u32)> {
+        let step = self.steps.trailing_zeros() as usize;
+        let [first, _] = self.waiting.get_mut(step)?;
+        let number = *first;
+        *first = self.portals[number as usize].next;
+        if *first == NONE {
+            self.steps &= !(1 << step);
+        }
+        Some((step, number))
     }
 
     /// Whether some straight line passes through a portal and all portals before it.
-    ///
-    /// Seen along the way out, such a line `y = a + b x` runs below every left end and above every
-    /// right end. For a slope `b` the room left for `a` is the least height over the left ends minus
-    /// the greatest over the right ends: a concave function of `b`, whose greatest value is looked
-    /// for by cutting planes (Kelley 1960).
     fn sees_through(&mut self, number: u32) -> bool {
-        /// More slopes than are ever needed, but for rounding; then the image is kept.
-        const MOST_SLOPES: usize = 12;
-        let chain = &mut self.chain;
-        chain.clear();
-        let mut next = Some(number);
-        while let Some(n) = next {
-            let portal = &self.portals[n as usize];
-            chain.push((portal.left, portal.right));
+        self.chain.clear();
+        let mut next = number;
+        while next != NONE {
+            let portal = &self.portals[next as usize];
+            self.chain.push((portal.left, portal.right));
             next = portal.before;
         }
-        let middle = |(left, right): (Vec2, Vec2)| 0.5 * (left + right);
-        let (outermost, first) = (chain[0], chain[chain.len() - 1]);
-        let along = middle(outermost) - middle(first);
-        let length = length(along);
-        if length == 0.0 {
-            return true;
-        }
-        let (origin, x_axis) = (middle(first), along / length);
-        for (left, right) in chain.iter_mut() {
-            *left = turned_back(*left - origin, x_axis);
-            *right = turned_back(*right - origin, x_axis);
-        }
-        let slack = 1e-5 * length;
-        let (mut slope, mut low, mut high) = (0.0f32, f32::NEG_INFINITY, f32::INFINITY);
-        for _ in 0..MOST_SLOPES {
-            let (mut roof, mut floor) = (f32::INFINITY, f32::NEG_INFINITY);
-            let (mut roof_x, mut floor_x) = (0.0, 0.0);
-            for (left, right) in chain.iter() {
-                let (over, under) = (left.y - slope * left.x, right.y - slope * right.x);
-                if over < roof {
-                    (roof, roof_x) = (over, left.x);
-                }
-                if under > floor {
-                    (floor, floor_x) = (under, right.x);
-                }
-            }
-            let room = roof - floor;
-            if room >= -slack {
-                return true;
-            }
-            // The room grows at most so quickly with the slope.
-            let growth = floor_x - roof_x;
-            if growth == 0.0 {
-                return false;
-            }
-            let needed = slope - room / growth;
-            if growth > 0.0 {
-                low = low.max(needed)
-            } else {
-                high = high.min(needed)
-            }
-            if low > high {
-                return false;
-            }
-            slope = needed;
-        }
-        true
+        is_in_sight(&mut self.chain)
     }
-}
-
-/// A vector in the frame whose x axis is a unit vector.
-fn turned_back(v: Vec2, x_axis: Vec2) -> Vec2 {
-    Vec2::new(x_axis.dot(v), x_axis.perp_dot(v))
 }
 
 pub(super) fn image(triangle: u32, distance: f32, [a, b, c]: [Vec2; 3]) -> Image {
     Image { triangle, distance, origin: a, edge1: b - a, edge2: c - a }
-}
-
-/// The corners of the triangle behind half-edge `twin`, laid down at the portal `left`, `right`
-/// through which it is entered.
-pub(super) fn unfold(mesh: &Mesh, twin: usize, left: Vec2, right: Vec2) -> [Vec2; 3] {
-    let corners = mesh.frames[twin / 3].corners();
-    let k = twin % 3;
-    // The twin runs the other way: its first corner is the left end.
-    let (from, to, apex) = (corners[(k + 1) % 3], corners[(k + 2) % 3], corners[k]);
-    let (here, there) = (normalized(to - from), normalized(right - left));
-    let turn = Vec2::new(here.dot(there), here.perp_dot(there));
-    let arm = apex - from;
-    let mut unfolded = [Vec2::ZERO; 3];
-    unfolded[(k + 1) % 3] = left;
-    unfolded[(k + 2) % 3] = right;
-    unfolded[k] =
-        left + Vec2::new(turn.x * arm.x - turn.y * arm.y, turn.y * arm.x + turn.x * arm.y);
-    unfolded
 }
 
 /// Two images of a triangle that lie this near to each other, as a share of its size, count as one.
@@ -328,63 +299,5 @@ impl Disc {
         let (edge, arm) = (to - from, self.centre - from);
         let along = (arm.dot(edge) / edge.length_squared()).clamp(0.0, 1.0);
         (length(arm - edge * along) - self.radius).max(0.0)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Whether a line through a left and a right end passes between all ends with this much room.
-    fn passes(ends: &[(Vec2, Vec2)], room: f32) -> bool {
-        let lines = ends.iter().flat_map(|&(l, _)| ends.iter().map(move |&(_, r)| (l, r)));
-        lines.into_iter().any(|(l, r)| {
-            // Outwards is up in these tests.
-            let along = if l.y > r.y { l - r } else { r - l }.normalize_or_zero();
-            ends.iter().all(|&(left, right)| {
-                along.perp_dot(left - l) >= room && along.perp_dot(right - r) <= -room
-            })
-        })
-    }
-
-    #[test]
-    fn a_portal_is_seen_through_if_a_line_through_two_ends_passes_all() {
-        let mut state = 7u32;
-        let mut chance = || {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (state >> 8) as f32 / (1 << 24) as f32
-        };
-        let mut seen = [0; 2];
-        for _ in 0..20_000 {
-            let count = 2 + (chance() * 9.0) as usize;
-            let lean = chance() - 0.5;
-            let ends: Vec<(Vec2, Vec2)> = (0..count)
-                .map(|k| {
-                    let (y, middle) = (k as f32 + 0.6 * chance(), lean * k as f32 + chance());
-                    let half = 0.1 + 0.5 * chance();
-                    let (left, right) = (middle - half, middle + half);
-                    (Vec2::new(left, y), Vec2::new(right, y + 0.3 * chance()))
-                })
-                .collect();
-            let mut builder = Builder::default();
-            for (k, &(left, right)) in ends.iter().enumerate() {
-                let before = k.checked_sub(1).map(|k| k as u32);
-                builder.portals.push(Portal { half_edge: 0, left, right, before });
-            }
-            let [surely, perhaps] = [1e-3, -1e-3].map(|room| passes_with(&ends, room));
-            let sees = builder.sees_through(count as u32 - 1);
-            if surely == perhaps {
-                assert_eq!(sees, surely, "{ends:?}");
-                seen[usize::from(sees)] += 1;
-            }
-        }
-        assert!(seen[0] > 2_000 && seen[1] > 2_000, "{seen:?}");
-    }
-
-    /// The same with the ends moved apart (or together) by so much.
-    fn passes_with(ends: &[(Vec2, Vec2)], room: f32) -> bool {
-        let narrow = Vec2::new(room, 0.0);
-        let moved: Vec<_> = ends.iter().map(|&(l, r)| (l + narrow, r - narrow)).collect();
-        passes(&moved, -1e-6)
     }
 }

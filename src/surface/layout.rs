@@ -1,8 +1,8 @@
 //! Lays patches down in the plane: unfolds their triangles and those around, and closes the gaps that
 //! curvature leaves between them.
 
-use super::chart::{Image, image, unfold};
-use super::lengths::{distance, normalized_or};
+use super::chart::{Image, image};
+use super::lengths::{distance, normalized, normalized_or};
 use super::outline::Outline;
 use super::{Mesh, NO_TWIN};
 use glam::Vec2;
@@ -351,4 +351,22 @@ impl Corner {
         self.at = self.wished / self.wishes;
         (self.wished, self.wishes) = (Vec2::ZERO, 0.0);
     }
+}
+
+/// The corners of the triangle behind half-edge `twin`, laid down at the portal `left`, `right`
+/// through which it is entered.
+fn unfold(mesh: &Mesh, twin: usize, left: Vec2, right: Vec2) -> [Vec2; 3] {
+    let corners = mesh.frames[twin / 3].corners();
+    let k = twin % 3;
+    // The twin runs the other way: its first corner is the left end.
+    let (from, to, apex) = (corners[(k + 1) % 3], corners[(k + 2) % 3], corners[k]);
+    let (here, there) = (normalized(to - from), normalized(right - left));
+    let turn = Vec2::new(here.dot(there), here.perp_dot(there));
+    let arm = apex - from;
+    let mut unfolded = [Vec2::ZERO; 3];
+    unfolded[(k + 1) % 3] = left;
+    unfolded[(k + 2) % 3] = right;
+    unfolded[k] =
+        left + Vec2::new(turn.x * arm.x - turn.y * arm.y, turn.y * arm.x + turn.x * arm.y);
+    unfolded
 }

@@ -11,6 +11,7 @@ mod obj;
 mod outline;
 mod patches;
 mod refine;
+mod sight;
 mod sphere;
 mod walk;
 
