@@ -142,16 +142,20 @@ fn ornament(material: &str, polygons: &PolygonMesh, corners: &[[u32; 3]]) -> Orn
 
 /// Renumbers the vertices in the order of their first use; returns the old numbers as well.
 fn compact(triangles: &[[u32; 3]]) -> (Vec<u32>, Vec<[u32; 3]>) {
-    let mut new = std::collections::BTreeMap::new();
+    const UNUSED: u32 = u32::MAX;
+    let largest = triangles.iter().flatten().max().map_or(0, |&v| v as usize);
+    let mut new = vec![UNUSED; largest + 1];
     let mut old = Vec::new();
     let renumbered = triangles
         .iter()
         .map(|t| {
             t.map(|v| {
-                *new.entry(v).or_insert_with(|| {
+                let number = &mut new[v as usize];
+                if *number == UNUSED {
+                    *number = old.len() as u32;
                     old.push(v);
-                    old.len() as u32 - 1
-                })
+                }
+                *number
             })
         })
         .collect();

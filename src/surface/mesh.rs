@@ -3,7 +3,6 @@
 use super::SurfaceError;
 use super::lengths::normalized;
 use glam::{Vec2, Vec3};
-use std::collections::HashMap;
 
 /// Marks a half-edge on the rim of an open surface.
 pub const NO_TWIN: u32 = u32::MAX;
@@ -64,8 +63,9 @@ impl Mesh {
         if triangles.is_empty() {
             return Err(SurfaceError::NoArea);
         }
-        let parts = orient(&mut triangles);
-        let twins = join(&triangles);
+        let mut partners = partners(&triangles);
+        let parts = orient(&mut triangles, &mut partners);
+        let twins = twins(&triangles, partners);
         let frames: Vec<Frame> = triangles.iter().map(|t| frame(corners(&positions, t))).collect();
         let turns = (0..twins.len()).map(|h| turn(&frames, &twins, h)).collect();
         let areas: Vec<f32> = frames.iter().map(|f| 0.5 * f.length * f.apex.y).collect();
@@ -190,14 +190,27 @@ fn edge(triangles: &[[u32; 3]], half_edge: usize) -> (u32, u32) {
     (t[(k + 1) % 3], t[(k + 2) % 3])
 }
 
+/// For each half-edge the only other one between the same two vertices, or `NO_TWIN`.
+fn partners(triangles: &[[u32; 3]]) -> Vec<u32> {
+    let ends = |h: usize| {
+        let (a, b) = edge(triangles, h);
+        (a.min(b), a.max(b))
+    };
+    let mut half_edges: Vec<_> = (0..3 * triangles.len()).map(|h| (ends(h), h as u32)).collect();
+    half_edges.sort_unstable();
+    let mut partners = vec![NO_TWIN; half_edges.len()];
+    for alike in half_edges.chunk_by(|a, b| a.0 == b.0) {
+        if let &[(_, one), (_, other)] = alike {
+            partners[one as usize] = other;
+            partners[other as usize] = one;
+        }
+    }
+    partners
+}
+
 /// Turns triangles around so that neighbours agree on their outside, part by part, starting from
 /// the first triangle of each; returns the part of each triangle.
-fn orient(triangles: &mut [[u32; 3]]) -> Vec<u32> {
-    let mut edges: HashMap<(u32, u32), Vec<u32>> = HashMap::new();
-    for h in 0..3 * triangles.len() {
-        let (a, b) = edge(triangles, h);
-        edges.entry((a.min(b), a.max(b))).or_default().push(h as u32 / 3);
-    }
+fn orient(triangles: &mut [[u32; 3]], partners: &mut [u32]) -> Vec<u32> {
     let mut parts = vec![u32::MAX; triangles.len()];
     let mut part = 0;
     for first in 0..triangles.len() {
@@ -207,20 +220,17 @@ fn orient(triangles: &mut [[u32; 3]]) -> Vec<u32> {
         parts[first] = part;
         let mut waiting = vec![first];
         while let Some(t) = waiting.pop() {
-            for k in 0..3 {
-                let (a, b) = edge(triangles, 3 * t + k);
-                let sharing = &edges[&(a.min(b), a.max(b))];
-                if sharing.len() != 2 {
+            for h in 3 * t..3 * t + 3 {
+                let partner = partners[h];
+                let other = partner as usize / 3;
+                if partner == NO_TWIN || parts[other] != u32::MAX {
                     continue;
                 }
-                let other = (sharing[0] + sharing[1]) as usize - t;
-                if parts[other] == u32::MAX {
-                    parts[other] = part;
-                    if (0..3).any(|j| edge(triangles, 3 * other + j) == (a, b)) {
-                        triangles[other].swap(1, 2);
-                    }
-                    waiting.push(other);
+                parts[other] = part;
+                if edge(triangles, partner as usize) == edge(triangles, h) {
+                    turn_around(triangles, partners, other);
                 }
+                waiting.push(other);
             }
         }
         part += 1;
@@ -228,20 +238,27 @@ fn orient(triangles: &mut [[u32; 3]]) -> Vec<u32> {
     parts
 }
 
-fn join(triangles: &[[u32; 3]]) -> Vec<u32> {
-    let mut by_edge: HashMap<(u32, u32), Vec<u32>> = HashMap::new();
-    for h in 0..3 * triangles.len() {
-        by_edge.entry(edge(triangles, h)).or_default().push(h as u32);
+/// Swaps two corners of a triangle, and with them the edges opposite.
+fn turn_around(triangles: &mut [[u32; 3]], partners: &mut [u32], triangle: usize) {
+    triangles[triangle].swap(1, 2);
+    partners.swap(3 * triangle + 1, 3 * triangle + 2);
+    for h in 3 * triangle + 1..3 * triangle + 3 {
+        if partners[h] != NO_TWIN {
+            partners[partners[h] as usize] = h as u32;
+        }
     }
-    (0..3 * triangles.len())
-        .map(|h| {
-            let (from, to) = edge(triangles, h);
-            match (by_edge[&(from, to)].as_slice(), by_edge.get(&(to, from)).map(Vec::as_slice)) {
-                ([_], Some(&[twin])) => twin,
-                _ => NO_TWIN,
-            }
-        })
-        .collect()
+}
+
+/// Partners that run the other way, as those of oriented neighbours do.
+fn twins(triangles: &[[u32; 3]], mut partners: Vec<u32>) -> Vec<u32> {
+    for h in 0..partners.len() {
+        let partner = partners[h] as usize;
+        if partners[h] != NO_TWIN && edge(triangles, partner) == edge(triangles, h) {
+            partners[h] = NO_TWIN;
+            partners[partner] = NO_TWIN;
+        }
+    }
+    partners
 }
 
 fn turn(frames: &[Frame], twins: &[u32], h: usize) -> Vec2 {
