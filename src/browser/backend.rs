@@ -8,7 +8,8 @@ use wasm_bindgen_futures::spawn_local;
 use web_sys::HtmlCanvasElement;
 
 const STILL: &str = "This browser offers neither WebGPU nor WebGL2, so here is a still picture of \
-                     the plant. Its cells grow all the same: the numbers are live.";
+                     the plant: its individual 1, on the day on which the plant is shown first. \
+                     The cells of your own choice grow all the same, and their numbers are live.";
 
 /// Whether this bundle is the one for WebGL2.
 pub const IS_WEBGL_BUNDLE: bool = cfg!(feature = "webgl");

@@ -3,9 +3,10 @@
 
 use super::app;
 use super::dom::{
-    Listener, document, find, on, set_attribute, set_flag, set_text, set_value, typed,
-    watch_typing, window,
+    Listener, document, find, on, set_attribute, set_flag, set_text, set_value, show_refusal,
+    typed, watch_typing, window,
 };
+use crate::play::link::INDIVIDUAL;
 use crate::play::page::{Event, Page, State};
 use crate::play::words;
 use crate::tissue::DayCount;
@@ -24,6 +25,7 @@ pub struct Controls {
     facts: [Element; 4],
     share: HtmlElement,
     individual: HtmlInputElement,
+    refusal: Element,
     undo: Element,
     redo: Element,
     _listeners: Vec<Listener>,
@@ -35,10 +37,7 @@ impl Controls {
         let mut listeners = Vec::from(watch_typing(&individual));
         let field = individual.clone();
         listeners.push(on(&individual, "change", move |_: web_sys::Event| {
-            match typed(&field).filter(|x| (0.0..=f64::from(u32::MAX)).contains(x)) {
-                Some(number) => app::send(Event::Individual(number as u32)),
-                None => app::repaint(),
-            }
+            app::send(Event::Individual(typed(&field)));
         }));
         listeners.push(click("another", another_individual));
         listeners.push(click("copy-link", copy_link));
@@ -66,6 +65,7 @@ impl Controls {
             facts: ["fact-day", "fact-cells", "fact-share", "fact-fingerprint"].map(find),
             share: find("share"),
             individual,
+            refusal: find("individual-refusal"),
             undo: find("undo"),
             redo: find("redo"),
             _listeners: listeners,
@@ -80,6 +80,7 @@ impl Controls {
         set_text(&self.latin, plant.latin);
         set_text(&self.source, plant.source);
         set_value(&self.individual, scene.individual);
+        show_refusal(&self.individual, &self.refusal, page.refusal(INDIVIDUAL));
         set_flag(&self.undo, "disabled", !page.history().can_undo());
         set_flag(&self.redo, "disabled", !page.history().can_redo());
         set_attribute(&self.stage, "aria-label", page.description());
@@ -147,7 +148,7 @@ pub fn another_individual() {
     let Ok(chance) = getrandom::u32() else { return };
     let number = 1 + chance % DRAWN_INDIVIDUALS;
     let other = if number == app::individual() { 1 + number % DRAWN_INDIVIDUALS } else { number };
-    app::send(Event::Individual(other));
+    app::send(Event::Individual(f64::from(other)));
 }
 
 /// Copies the link of what is shown; where the browser does not allow it, shows it to be copied.

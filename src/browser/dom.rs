@@ -84,10 +84,16 @@ pub fn watch_typing(input: &HtmlInputElement) -> [Listener; 2] {
     ]
 }
 
-/// The number in a field whose typing is done; None if there is none.
-pub fn typed(input: &HtmlInputElement) -> Option<f64> {
+/// The number in a field whose typing is done; not a number if there is none.
+pub fn typed(input: &HtmlInputElement) -> f64 {
     set_flag(input, "data-typing", false);
-    Some(input.value_as_number()).filter(|x| x.is_finite())
+    input.value_as_number()
+}
+
+/// Tells at a field why what was put in it cannot be, if so.
+pub fn show_refusal(input: &Element, place: &Element, why: Option<&str>) {
+    set_attribute(input, "aria-invalid", why.is_some());
+    set_text(place, why.unwrap_or_default());
 }
 
 /// Marks a picture with `data-missing` when its file is not there.

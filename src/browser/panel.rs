@@ -2,8 +2,8 @@
 
 use super::app;
 use super::dom::{
-    Listener, copy_of_template, find, on, set_attribute, set_flag, set_text, set_value, typed,
-    watch_typing, within,
+    Listener, copy_of_template, find, on, set_attribute, set_flag, set_text, set_value,
+    show_refusal, typed, watch_typing, within,
 };
 use crate::play::page::{Event, Page};
 use crate::play::parameters::{PARAMETERS, Parameter};
@@ -26,7 +26,7 @@ struct Row {
 }
 
 enum Input {
-    Number { range: HtmlInputElement, number: HtmlInputElement },
+    Number { range: HtmlInputElement, number: HtmlInputElement, refusal: Element },
     Choice(HtmlSelectElement),
 }
 
@@ -99,9 +99,10 @@ impl Row {
         }
         let value = parameter.get(scene);
         match &self.input {
-            Input::Number { range, number } => {
+            Input::Number { range, number, refusal } => {
                 set_value(range, value);
                 set_value(number, value);
+                show_refusal(number, refusal, page.refusal(parameter.key));
             }
             Input::Choice(select) => select.set_selected_index(value as i32),
         }
@@ -134,12 +135,11 @@ impl Input {
         listeners.push(on(&range, "input", move |_: web_sys::Event| {
             change(parameter, hand.value_as_number().max(least));
         }));
-        listeners.push(on(&number, "change", move |_: web_sys::Event| match typed(&field) {
-            Some(value) => change(parameter, value),
-            None => app::repaint(),
+        listeners.push(on(&number, "change", move |_: web_sys::Event| {
+            change(parameter, typed(&field));
         }));
         listeners.extend(watch_typing(&number));
-        Input::Number { range, number }
+        Input::Number { range, number, refusal: within(element, ".refusal") }
     }
 
     /// A list of the names.

@@ -42,8 +42,8 @@ impl Timeline {
         listeners.push(on(&number, "change", move |_: web_sys::Event| {
             // Without a number the field goes back to the wished day.
             match typed(&field) {
-                Some(day) => app::send(Event::Seek(day.round().max(0.0) as u32)),
-                None => app::repaint(),
+                day if day.is_finite() => app::send(Event::Seek(day.round().max(0.0) as u32)),
+                _ => app::repaint(),
             }
         }));
         for (id, event) in [

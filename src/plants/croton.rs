@@ -47,7 +47,7 @@ pub const PLANT: Plant = Plant {
             ("soil", [0.2, 0.15, 0.11], 0.0),
         ],
     },
-    view: View { azimuth_deg: 0.0, elevation_deg: 24.0, zoom: 1.0 },
+    view: View { azimuth_deg: 0.0, elevation_deg: 24.0, zoom: 0.95 },
     mesh: mesh_file!("croton.obj"),
     body: grow_body,
     controls: Some(young_leaves),

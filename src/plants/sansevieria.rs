@@ -43,7 +43,7 @@ pub const PLANT: Plant = Plant {
         veins: false,
         bare: &[("pot", [0.66, 0.36, 0.24], 0.08), ("soil", [0.2, 0.15, 0.11], 0.0)],
     },
-    view: View { azimuth_deg: 0.0, elevation_deg: 14.0, zoom: 0.97 },
+    view: View { azimuth_deg: 0.0, elevation_deg: 14.0, zoom: 0.93 },
     mesh: mesh_file!("sansevieria.obj"),
     body: grow_body,
     controls: Some(margins_and_bands),

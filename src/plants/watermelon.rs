@@ -36,7 +36,7 @@ pub const PLANT: Plant = Plant {
     look: Look {
         cells: [[0.114, 0.29, 0.133], [0.525, 0.69, 0.376], [0.5, 0.5, 0.2]],
         tinted: &[],
-        variation: 0.1,
+        variation: 0.07,
         border: 0.12,
         gloss: 0.5,
         veins: false,

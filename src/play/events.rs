@@ -12,8 +12,8 @@ pub enum Event {
     OpenLink(String),
     /// The key of a plant was chosen: its preset, with the individual that is shown.
     ChoosePlant(String),
-    /// Another individual of the same plant.
-    Individual(u32),
+    /// Another individual of the same plant, by its number as it was typed.
+    Individual(f64),
     /// A parameter, by its key, was changed.
     Change {
         key: &'static str,
@@ -68,6 +68,15 @@ pub enum Event {
     Drawn,
     /// Nothing is on the screen any more: the graphics device is lost.
     PictureLost,
+}
+
+/// What was put in a field and cannot be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// The field's word in links.
+    pub field: &'static str,
+    /// A sentence.
+    pub why: String,
 }
 
 /// What the page's host has to do.

@@ -14,6 +14,9 @@ use std::fmt::Write;
 /// keep the old preset for the links of the old version.
 pub const VERSION: u32 = 1;
 
+/// The word for the number of the individual.
+pub const INDIVIDUAL: &str = "s";
+
 /// A link that was read: what could be loaded, and in plain words what was left out and why.
 #[derive(Clone, Debug)]
 pub struct Opened {
@@ -24,7 +27,7 @@ pub struct Opened {
 /// Writes a scene, without the `#`.
 pub fn write(scene: &Scene) -> String {
     let Scene { plant, individual, day, .. } = scene;
-    let mut link = format!("{}?v={VERSION}&s={individual}&d={day}", plant.key);
+    let mut link = format!("{}?v={VERSION}&{INDIVIDUAL}={individual}&d={day}", plant.key);
     let preset = Scene::preset(plant, *individual);
     for parameter in PARAMETERS {
         let value = parameter.get(scene);
@@ -57,11 +60,9 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
     let mut left_out = Vec::new();
     let plant = plants.iter().find(|p| p.key == name).unwrap_or_else(|| {
         if !name.is_empty() {
-            let known: Vec<&str> = plants.iter().map(|p| p.key).collect();
             left_out.push(format!(
-                "There is no plant called “{}” here (there are {}): the {} stands in.",
+                "There is no plant called “{}” here: the {} stands in its place.",
                 shortened(name),
-                known.join(", "),
                 plants[0].name.to_ascii_lowercase()
             ));
         }
@@ -77,7 +78,7 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
         } else {
             match key {
                 "v" => check_version(value),
-                "s" => whole(value).map(|n| scene.individual = n),
+                INDIVIDUAL => whole(value).map(|n| scene.individual = n),
                 "d" => whole(value).map(|n| wished_day = Some(n)),
                 "noise" => switch(value).map(|on| scene.noise = on),
                 "show" => read_show(plant, value).map(|show| scene.show = show),
@@ -94,7 +95,10 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
     if let Some(day) = wished_day {
         scene.day = day.min(scene.recipe.days);
         if day > scene.recipe.days {
-            left_out.push(format!("Day {day} was left out: this plant grows {} days.", scene.day));
+            left_out.push(format!(
+                "Day {day} is past the last one: day {} is shown in its place.",
+                scene.day
+            ));
         }
     }
     Opened { scene, left_out }
@@ -146,8 +150,18 @@ fn switch(text: &str) -> Result<bool, String> {
     }
 }
 
+/// The number of an individual; in an error, what it must be.
+pub fn individual(number: f64) -> Result<u32, String> {
+    let is_whole = number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number);
+    is_whole.then_some(number as u32).ok_or_else(not_whole)
+}
+
 fn whole(text: &str) -> Result<u32, String> {
-    text.parse().map_err(|_| format!("it must be a whole number from 0 to {}", u32::MAX))
+    text.parse().map_err(|_| not_whole())
+}
+
+fn not_whole() -> String {
+    format!("it must be a whole number from 0 to {}", u32::MAX)
 }
 
 /// Foreign text in our messages is kept to a glance.
@@ -283,7 +297,7 @@ mod tests {
             "“db=abc” was left out: “abc” is not a number.",
             "“s=4” was left out: it stands twice",
             "“view=1,2” was left out: a view has three or five numbers.",
-            "Day 99 was left out: this plant grows 6 days.",
+            "Day 99 is past the last one: day 6 is shown in its place.",
         ] {
             assert!(told.contains(part), "{part} is not in\n{told}");
         }

@@ -4,7 +4,7 @@
 
 use super::camera::Camera;
 use super::history::{Change, History};
-use super::link;
+use super::link::{self, INDIVIDUAL, individual};
 use super::meshes::Meshes;
 use super::parameters::Parameter;
 use super::playhead::Playhead;
@@ -14,7 +14,7 @@ use super::scene::Scene;
 use super::words;
 use crate::plants::Plant;
 
-pub use super::events::{Effect, Event, Shown, ShownDay, State};
+pub use super::events::{Effect, Event, Refusal, Shown, ShownDay, State};
 
 /// The page without its browser.
 pub struct Page {
@@ -28,6 +28,7 @@ pub struct Page {
     drawn: Option<Shown>,
     worker_listens: bool,
     meshes: Meshes,
+    refusal: Option<Refusal>,
     broken: bool,
     less_motion: bool,
     written: String,
@@ -49,6 +50,7 @@ impl Page {
             drawn: None,
             worker_listens: false,
             meshes: Meshes::default(),
+            refusal: None,
             broken: false,
             less_motion: false,
             written: String::new(),
@@ -136,6 +138,11 @@ impl Page {
         if wished && arrived { State::Ready } else { State::Growing }
     }
 
+    /// What was put in a field last, if it cannot be.
+    pub fn refusal(&self, field: &str) -> Option<&str> {
+        self.refusal.as_ref().filter(|r| r.field == field).map(|r| r.why.as_str())
+    }
+
     /// The link of what is wished now, also while it plays.
     pub fn link(&self) -> String {
         link::write(&self.wished_scene())
@@ -155,29 +162,28 @@ impl Page {
         match event {
             Event::OpenLink(fragment) => {
                 let opened = link::read(&fragment, self.plants);
-                effects.push(Effect::Tell(opened.left_out));
                 // The address bar holds what was typed: it is to hold what was understood.
                 self.written.clear();
                 self.adopt(opened.scene, effects);
+                effects.push(Effect::Tell(opened.left_out));
             }
             Event::ChoosePlant(key) => {
                 if let Some(plant) = self.plants.iter().find(|p| p.key == key) {
-                    effects.push(Effect::Tell(Vec::new()));
                     self.adopt(Scene::preset(plant, self.scene.individual), effects);
                 }
             }
-            Event::Individual(individual) => {
-                self.adopt(Scene { individual, ..self.wished_scene() }, effects);
-            }
+            Event::Individual(number) => match individual(number) {
+                Ok(individual) => {
+                    self.adopt(Scene { individual, ..self.wished_scene() }, effects);
+                }
+                Err(why) => self.refuse(INDIVIDUAL, &why),
+            },
             Event::Change { key, value } => {
                 let Some(parameter) = Parameter::of_key(key) else { return };
                 let mut scene = self.wished_scene();
                 match parameter.set(&mut scene, value) {
                     Ok(()) => self.adopt(scene, effects),
-                    Err(why) => {
-                        let label = parameter.label(scene.plant);
-                        effects.push(Effect::Tell(vec![format!("{label}: {why}.")]));
-                    }
+                    Err(why) => self.refuse(key, &why),
                 }
             }
             Event::ResetParameters => {
@@ -292,7 +298,16 @@ impl Page {
     }
 
     /// Makes a scene the wished one: grows again only if it must.
+    fn refuse(&mut self, field: &'static str, why: &str) {
+        self.refusal = Some(Refusal { field, why: format!("Not taken: {why}.") });
+    }
+
     fn adopt(&mut self, scene: Scene, effects: &mut Vec<Effect>) {
+        self.refusal = None;
+        // What was told of the last scene is over, but for a worker that is lost.
+        if !self.broken {
+            effects.push(Effect::Tell(Vec::new()));
+        }
         self.camera.wish(scene.orbit);
         if scene.plant.key != self.scene.plant.key {
             self.camera.jump();

@@ -157,11 +157,11 @@ fn the_newest_wish_wins() {
     let mut all = Together::open("#leaf?v=1&s=1&d=6");
     all.work_until_day(2);
     all.rest();
-    all.hear(Event::Individual(2));
+    all.hear(Event::Individual(2.0));
     // The picture before stays until something of the new one has grown.
     assert_eq!(all.page.state(), State::Growing);
     assert_eq!(all.page.drawn().unwrap().individual, 1);
-    all.hear(Event::Individual(3));
+    all.hear(Event::Individual(3.0));
     all.hear(Event::ChoosePlant("fruit".to_string()));
     assert_eq!(all.page.state(), State::Loading);
     assert_eq!(all.page.drawn().unwrap().plant, "fruit");
@@ -229,7 +229,15 @@ fn parameters_regrow_or_not_and_can_be_undone() {
     all.finish();
     assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=2");
     all.hear(Event::Change { key: "df", value: 0.1 });
-    assert_eq!(all.told, ["Days between divisions, yellow: it must be from 1.5 to 200 days."]);
+    assert_eq!(all.page.refusal("df"), Some("Not taken: it must be from 1.5 to 200 days."));
+    assert_eq!(all.page.refusal("db"), None);
+    all.hear(Event::Change { key: "df", value: 3.0 });
+    assert_eq!(all.page.refusal("df"), None, "over with the next value");
+    for number in [7.5, -1.0, 1e11, f64::NAN] {
+        all.hear(Event::Individual(number));
+        assert!(all.page.refusal("s").unwrap().contains("whole number from 0 to 4294967295"));
+        assert_eq!(all.page.scene().individual, 1);
+    }
 }
 
 #[test]

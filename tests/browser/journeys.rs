@@ -108,6 +108,42 @@ fn another_individual_is_another() {
 }
 
 #[test]
+fn what_cannot_be_is_told_at_its_field() {
+    let Some(page) = Page::open(Graphics::Neither, SOON) else { return };
+    let before = page.on_day(4);
+    page.run("document.querySelector('details.recipe').open = true");
+    let told = |css: &str| {
+        let script = format!("return document.querySelector('{css}').innerText");
+        page.run(&script).as_str().unwrap_or_default().to_string()
+    };
+    let is_marked = |css: &str| {
+        page.run(&format!("return document.querySelector('{css}').ariaInvalid")) == "true"
+    };
+    // The first number of the recipe, the one of the first cells.
+    let (field, reason) = (".parameter input[type=number]", ".parameter .refusal");
+    assert!(told(reason).is_empty() && !is_marked(field));
+    for text in ["-5", "1e30", "e"] {
+        page.run(&format!("document.querySelector('{field}').id = 'first-number'"));
+        page.fill_in("first-number", text);
+        assert!(
+            told(reason).starts_with("Not taken: it must be from "),
+            "{text}: {}",
+            told(reason)
+        );
+        assert!(is_marked(field));
+    }
+    for text in ["7.5", "99999999999"] {
+        page.fill_in("individual", text);
+        assert!(told("#individual-refusal").contains("a whole number from 0 to 4294967295"));
+        assert!(is_marked("#individual") && told(reason).is_empty());
+    }
+    assert_eq!(page.state(), before);
+    page.fill_in("individual", "8");
+    page.wait("the typed one", |s| s.individual == "8" && s.state == "ready");
+    assert!(told("#individual-refusal").is_empty() && !is_marked("#individual"));
+}
+
+#[test]
 fn a_copied_link_shows_the_same_cells() {
     let Some(page) = Page::open(Graphics::WebGpu, "#watermelon?v=1&s=9&d=3&ff=0.3") else { return };
     let here = page.on_day(3);
