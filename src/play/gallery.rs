@@ -213,10 +213,15 @@ impl Row {
     /// What a picture shows now: the wished day, or the nearest one before it that has grown.
     pub fn shown(&self, picture: usize) -> Option<ShownPicture<'_>> {
         let scene = &self.pictures[picture];
-        let run = self.runs.iter().find(|run| run.scene.grows_like(scene))?;
+        let run = self.run(picture)?;
         let day = self.day.min(scene.day).min(run.newest()?);
         let (facts, lists) = (run.facts(day)?, run.lists(day)?);
         Some(ShownPicture { scene, generation: run.generation, day, facts, lists })
+    }
+
+    /// The growth that a picture shows a day of.
+    fn run(&self, picture: usize) -> Option<&Run> {
+        self.runs.iter().find(|run| run.scene.grows_like(&self.pictures[picture]))
     }
 
     /// How far the row has come, given the pictures that are on the screen.
@@ -227,9 +232,8 @@ impl Row {
         let mut all = State::Ready;
         for (k, scene) in self.pictures.iter().enumerate() {
             let Some(shown) = self.shown(k) else { return State::Loading };
-            let run = self.runs.iter().find(|run| run.generation == shown.generation);
-            let full = run.is_some_and(|run| run.end.is_some());
-            if !(is_drawn(&shown, k) && (full || shown.day == self.day.min(scene.day))) {
+            let has_ended = self.run(k).is_some_and(|run| run.end.is_some());
+            if !(is_drawn(&shown, k) && (has_ended || shown.day == self.day.min(scene.day))) {
                 all = State::Growing;
             }
         }

@@ -241,6 +241,20 @@ fn parameters_regrow_or_not_and_can_be_undone() {
 }
 
 #[test]
+fn messages_go_with_the_scene_but_not_that_of_a_lost_worker() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=2&zz=1");
+    assert_eq!(all.told.len(), 1);
+    all.hear(Event::Seek(1));
+    all.hear(Event::Change { key: "df", value: 0.1 });
+    assert_eq!(all.told.len(), 1, "nothing was taken yet");
+    all.hear(Event::Change { key: "df", value: 3.0 });
+    assert_eq!(all.told, [""; 0]);
+    all.hear(Event::WorkerLost("It is gone.".to_string()));
+    all.hear(Event::Individual(2.0));
+    assert_eq!(all.told, ["It is gone."]);
+}
+
+#[test]
 fn what_is_shown_never_grows_and_can_be_undone() {
     // These plants have nothing to show but cells; the page takes what it is told.
     let mut all = Together::open("#leaf?v=1&s=1&d=2");

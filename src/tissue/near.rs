@@ -1,6 +1,7 @@
 //! The cells in and around one patch, unfolded into its plane and sorted into boxes, so that a cell
 //! finds all within the repulsive radius in two rows of them.
 
+use super::forces::EIGHT;
 use super::lanes::{LANES, copy, integers, lanes, lanes_mut, sort_by_bin, whole};
 use super::relax::{Row, four};
 use crate::surface::Image;
@@ -50,8 +51,8 @@ struct Points {
 impl Near {
     /// Room for all cells of a day: no patch sees more.
     pub(super) fn reserve(&mut self, cells: usize) {
-        // The force loop reads two fours from where the last window may begin.
-        let rows = cells + 2 * LANES;
+        // The force loop reads so many from where the last window may begin.
+        let rows = cells + EIGHT;
         for column in [
             &mut self.unsorted.x,
             &mut self.unsorted.y,
