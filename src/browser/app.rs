@@ -27,6 +27,9 @@ use crate::play::protocol::BUILD;
 use std::cell::RefCell;
 use wasm_bindgen_futures::spawn_local;
 
+/// Seconds that a frame counts at most: after a pause (a hidden tab) time goes on where it stopped.
+const LONGEST_S: f64 = 0.1;
+
 /// A device that is lost more often than this in `LOSSES_WITHIN_MS` is not asked for again.
 const MOST_LOSSES: usize = 4;
 const LOSSES_WITHIN_MS: f64 = 30_000.0;
@@ -325,15 +328,17 @@ impl App {
             return self.frame_of_figures();
         }
         if self.page.is_moving() {
-            let effects = self.page.hear(Event::Tick(seconds));
+            let effects = self.page.hear(Event::Tick(seconds.min(LONGEST_S)));
             self.act(effects);
         }
-        match self.stage.bring(&self.page, is_dark()) {
-            Ok(true) => {
-                let effects = self.page.hear(Event::Drawn);
+        let mut sharp = true;
+        match self.stage.bring(&self.page, is_dark(), seconds) {
+            Ok(Some(drawn)) => {
+                sharp = drawn.sharp;
+                let effects = self.page.hear(Event::Drawn { sharp });
                 self.act(effects);
             }
-            Ok(false) => {}
+            Ok(None) => {}
             Err(DrawError::TooLarge { .. }) => {
                 self.stage.stay_still();
                 self.messages.add("These cells are more than this graphics card can hold.");
@@ -341,7 +346,7 @@ impl App {
             Err(_) => return self.lose(),
         }
         self.show();
-        if self.page.is_moving() {
+        if self.page.is_moving() || !sharp {
             self.frames.ask();
         } else {
             self.frames.rest();
@@ -362,6 +367,9 @@ impl App {
     }
 
     fn lose(&mut self) {
+        if self.stage.is_still() {
+            return;
+        }
         let now_ms = js_sys::Date::now();
         self.losses_ms.retain(|&ms| now_ms - ms < LOSSES_WITHIN_MS);
         self.losses_ms.push(now_ms);

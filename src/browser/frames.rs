@@ -3,8 +3,6 @@
 use super::{app, dom};
 use wasm_bindgen::prelude::*;
 
-/// Seconds that a frame counts at most: after a pause (a hidden tab) time goes on where it stopped.
-const LONGEST_S: f64 = 0.1;
 /// Seconds that the first frame after a rest counts.
 const FIRST_S: f64 = 1.0 / 60.0;
 
@@ -28,12 +26,12 @@ impl Frames {
         }
     }
 
-    /// A frame begins; seconds since the last one.
+    /// A frame begins; seconds since the last one, or of a usual frame after a rest.
     pub fn begin(&mut self, now_ms: f64) -> f64 {
         self.asked = None;
         let seconds = self.last_ms.map_or(FIRST_S, |last| (now_ms - last) / 1000.0);
         self.last_ms = Some(now_ms);
-        seconds.clamp(0.0, LONGEST_S)
+        seconds.max(0.0)
     }
 
     /// Nothing moves any more.

@@ -6,6 +6,7 @@ use crate::draw::{DrawError, Frame, Geometry, Renderer};
 use crate::mosaic::SiteLists;
 use crate::plants::{BodyError, Look, Plant, Show};
 use crate::play::camera::{Camera, Sphere};
+use crate::play::detail::Detail;
 use crate::play::gallery::ShownPicture;
 use crate::play::page::{Page, Shown};
 use crate::surface::Body;
@@ -27,6 +28,7 @@ pub struct Stage {
     /// What the renderer has been handed.
     handed: Handed,
     size_px: (u32, u32),
+    detail: Detail,
     _resize: ResizeObserver,
     _on_resize: Closure<dyn FnMut()>,
     _poster_missing: Listener,
@@ -76,6 +78,14 @@ struct Handed {
     /// Generation and day of the cells.
     day: Option<(u32, u32)>,
     frame: Option<Frame>,
+    size_px: (u32, u32),
+}
+
+/// That a picture stands on the stage, or would, where nothing can be drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawn {
+    /// With all its pixels.
+    pub sharp: bool,
 }
 
 impl Stage {
@@ -95,6 +105,7 @@ impl Stage {
             body: None,
             handed: Handed::default(),
             size_px: (0, 0),
+            detail: Detail::default(),
             _resize: resize,
             _on_resize: on_resize,
             _poster_missing: poster_missing,
@@ -154,15 +165,20 @@ impl Stage {
         self.handed.frame = None;
     }
 
-    /// Brings the screen into agreement with the page. True if the page's picture stands there now
-    /// (or would, where nothing can be drawn); an error if the device is of no use any more.
-    pub fn bring(&mut self, page: &Page, dark: bool) -> Result<bool, DrawError> {
-        let brought = self.draw(page, dark);
+    /// Brings the screen into agreement with the page, so many seconds after the frame before. Errors
+    /// if the device is of no use any more.
+    pub fn bring(
+        &mut self,
+        page: &Page,
+        dark: bool,
+        seconds: f64,
+    ) -> Result<Option<Drawn>, DrawError> {
+        let brought = self.draw(page, dark, seconds);
         self.show_poster(page.shown());
         brought
     }
 
-    fn draw(&mut self, page: &Page, dark: bool) -> Result<bool, DrawError> {
+    fn draw(&mut self, page: &Page, dark: bool, seconds: f64) -> Result<Option<Drawn>, DrawError> {
         let (shown, run, scene) = (page.shown(), page.run(), page.scene());
         let day = shown.day.as_ref().filter(|_| shown.generation == run.generation);
         let cells = day.and_then(|day| {
@@ -179,7 +195,7 @@ impl Stage {
             moment: shown.day.as_ref().map_or(1.0, |day| day.moment),
             size_px: self.size_px,
         };
-        let drawn = self.portray(&picture, dark)?;
+        let drawn = self.portray(&picture, dark, Some(seconds))?;
         // Once more: with these cells the live picture may take the poster's place.
         self.show_poster(shown);
         Ok(drawn)
@@ -207,7 +223,7 @@ impl Stage {
             size_px: (canvas.width(), canvas.height()),
         };
         self.handed.frame = None;
-        let drawn = self.portray(&picture, dark)? && self.handed.frame.is_some();
+        let drawn = self.portray(&picture, dark, None)?.is_some() && self.handed.frame.is_some();
         if drawn {
             pen.clear_rect(0.0, 0.0, f64::from(canvas.width()), f64::from(canvas.height()));
             // Fails only for an empty picture.
@@ -222,9 +238,15 @@ impl Stage {
         self.measure();
     }
 
-    fn portray(&mut self, picture: &Picture, dark: bool) -> Result<bool, DrawError> {
+    /// `seconds`: since the frame before, where pixels may be left out for the sake of speed.
+    fn portray(
+        &mut self,
+        picture: &Picture,
+        dark: bool,
+        seconds: Option<f64>,
+    ) -> Result<Option<Drawn>, DrawError> {
         if let Graphics::None = self.graphics {
-            return Ok(true);
+            return Ok(Some(Drawn { sharp: true }));
         }
         let key = picture.plant.key;
         if self.body.as_ref().is_none_or(|(of, _)| *of != key) {
@@ -235,7 +257,7 @@ impl Stage {
         // The body is ready when the graphics card is.
         let (Graphics::Running(renderer), Some((_, on_stage))) = (&mut self.graphics, &self.body)
         else {
-            return Ok(false);
+            return Ok(None);
         };
         let handed = &mut self.handed;
         if handed.plant != Some(key) || handed.look.as_ref() != Some(picture.look) {
@@ -261,7 +283,7 @@ impl Stage {
         if handed.day.is_none() {
             // The poster stands there still; a frame of the bare body would only delay the first
             // one with cells.
-            return Ok(true);
+            return Ok(Some(Drawn { sharp: true }));
         }
         let (width, height) = picture.size_px;
         let frame = Frame {
@@ -270,12 +292,16 @@ impl Stage {
             moment: picture.moment,
             dark,
         };
-        if handed.frame != Some(frame) {
-            renderer.resize(width, height);
+        let changes = handed.frame != Some(frame);
+        let share = seconds.map_or(1.0, |seconds| self.detail.share(seconds, changes));
+        let size_px = [width, height].map(|px| (f64::from(px) * share).round() as u32).into();
+        if changes || handed.size_px != size_px {
+            renderer.resize(size_px.0, size_px.1);
             renderer.draw(&frame)?;
             handed.frame = Some(frame);
+            handed.size_px = size_px;
         }
-        Ok(true)
+        Ok(Some(Drawn { sharp: size_px == picture.size_px }))
     }
 
     /// The poster stands in until cells are drawn.

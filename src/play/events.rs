@@ -65,7 +65,10 @@ pub enum Event {
     /// There is no worker, and why.
     WorkerLost(String),
     /// What `shown` says is on the screen.
-    Drawn,
+    Drawn {
+        /// With all pixels of the stage.
+        sharp: bool,
+    },
     /// Nothing is on the screen any more: the graphics device is lost.
     PictureLost,
 }
@@ -102,7 +105,7 @@ pub enum State {
     Loading,
     /// The wished day is not on the screen yet.
     Growing,
-    /// The wished day is on the screen.
+    /// The wished day is on the screen, with all pixels if it rests.
     Ready,
     /// It will not come; the messages say why.
     Error,

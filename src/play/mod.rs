@@ -2,6 +2,7 @@
 //! worker.
 
 pub mod camera;
+pub mod detail;
 mod events;
 pub mod figures;
 pub mod gallery;

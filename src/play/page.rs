@@ -26,6 +26,8 @@ pub struct Page {
     camera: Camera,
     shown: Shown,
     drawn: Option<Shown>,
+    /// Whether it was drawn with all pixels once.
+    sharp: bool,
     worker_listens: bool,
     meshes: Meshes,
     refusal: Option<Refusal>,
@@ -48,6 +50,7 @@ impl Page {
             camera: Camera::new(scene.orbit),
             shown: bare(&scene),
             drawn: None,
+            sharp: false,
             worker_listens: false,
             meshes: Meshes::default(),
             refusal: None,
@@ -133,7 +136,7 @@ impl Page {
         let Some(Shown { generation, day: Some(day), .. }) = &self.drawn else {
             return State::Loading;
         };
-        let arrived = self.playhead.is_playing() || day.moment == 1.0;
+        let arrived = self.playhead.is_playing() || day.moment == 1.0 && self.sharp;
         let wished = day.day == self.playhead.wished_day() && *generation == self.run.generation;
         if wished && arrived { State::Ready } else { State::Growing }
     }
@@ -244,7 +247,10 @@ impl Page {
                 self.broken = true;
                 effects.push(Effect::Tell(vec![why]));
             }
-            Event::Drawn => self.drawn = Some(self.shown.clone()),
+            Event::Drawn { sharp } => {
+                self.sharp = sharp || self.sharp && self.drawn.as_ref() == Some(&self.shown);
+                self.drawn = Some(self.shown.clone());
+            }
             Event::PictureLost => self.drawn = None,
         }
         if self.less_motion {
@@ -297,11 +303,11 @@ impl Page {
         Scene { day, orbit: self.camera.wished(), ..self.scene.clone() }
     }
 
-    /// Makes a scene the wished one: grows again only if it must.
     fn refuse(&mut self, field: &'static str, why: &str) {
         self.refusal = Some(Refusal { field, why: format!("Not taken: {why}.") });
     }
 
+    /// Makes a scene the wished one: grows again only if it must.
     fn adopt(&mut self, scene: Scene, effects: &mut Vec<Effect>) {
         self.refusal = None;
         // What was told of the last scene is over, but for a worker that is lost.

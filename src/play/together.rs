@@ -40,7 +40,7 @@ impl Together {
     fn hear(&mut self, event: Event) {
         let effects = self.page.hear(event);
         self.take(effects);
-        let drawn = self.page.hear(Event::Drawn);
+        let drawn = self.page.hear(Event::Drawn { sharp: true });
         self.take(drawn);
     }
 
@@ -303,7 +303,7 @@ fn a_full_population_ends_the_line_of_days() {
     while page.is_moving() {
         page.hear(Event::Tick(0.1));
     }
-    page.hear(Event::Drawn);
+    page.hear(Event::Drawn { sharp: true });
     let last = page.run().last_day();
     assert!((1..6).contains(&last));
     assert_eq!(page.state(), State::Ready);

@@ -234,3 +234,27 @@ fn growing_does_not_fill_the_history() {
     page.wait("another one", |s| s.individual != "1" && s.state == "ready");
     assert_eq!(page.run("return history.length"), before);
 }
+
+#[test]
+fn a_slow_device_turns_a_coarser_picture_and_rests_on_a_sharp_one() {
+    let Some(page) = Page::start(Graphics::WebGpu) else { return };
+    // Frames come no sooner than after 100 ms.
+    let slow = "const ask = window.requestAnimationFrame.bind(window);
+        window.requestAnimationFrame = callback => setTimeout(() => ask(callback), 100)";
+    page.devtools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": slow }));
+    page.visit(SOON);
+    let before = page.on_day(4);
+    let picture = page.picture();
+    page.run(
+        "const key = new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: true});
+         const stage = document.getElementById('stage');
+         window.turning = setInterval(() => stage.dispatchEvent(key), 50)",
+    );
+    let is_coarse = "const canvas = document.getElementById('canvas');
+        return canvas.width < 0.8 * canvas.clientWidth * devicePixelRatio";
+    page.wait_for("fewer pixels", is_coarse);
+    page.wait("the plant to be what it was", |s| *s == before);
+    page.run("clearInterval(window.turning)");
+    assert!(page.picture().difference(&picture) > 1.0, "the plant has turned");
+    assert_eq!(page.complaints(), [""; 0]);
+}

@@ -215,9 +215,20 @@ impl Page {
         hash.as_str().unwrap_or_default().trim_start_matches('#').to_string()
     }
 
-    /// What the canvas shows.
+    /// Waits until the canvas has all its pixels: while a slow device draws changes it has fewer.
+    #[track_caller]
+    pub fn sharp(&self) {
+        self.wait_for(
+            "all pixels",
+            "const canvas = document.getElementById('canvas');
+             return canvas.width === Math.round(canvas.clientWidth * devicePixelRatio)",
+        );
+    }
+
+    /// What the canvas shows, with all its pixels.
     #[track_caller]
     pub fn picture(&self) -> Picture {
+        self.sharp();
         Picture::decode(&self.png("#canvas"))
     }
 

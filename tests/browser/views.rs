@@ -96,7 +96,8 @@ fn shown_after(page: &Page, before: &Picture) -> Picture {
     for _ in 0..100 {
         let picture = page.picture();
         if picture.difference(before) > 1.0 {
-            return picture;
+            // Its first frame may have had fewer pixels.
+            return page.picture();
         }
         std::thread::sleep(std::time::Duration::from_millis(50));
     }

@@ -18,12 +18,47 @@ struct Mosaic {
 struct Near {
     // From the fragment, in units of the list's scale.
     offset: vec2f,
-    distance2: f32,
     tag: u32,
 }
 
 fn unpack(words: vec2u, shift: u32) -> vec2f {
     return vec2f((words >> vec2u(shift)) & vec2u(0xfffu));
+}
+
+// Two sites that stand side by side, of which the first has an even number.
+fn two_sites(number: u32) -> vec4u {
+    let texel = number >> 1u;
+    return textureLoad(sites, vec2u(texel & 2047u, texel >> 11u), 0);
+}
+
+fn offset_of(site: vec2u, here: vec2f) -> vec2f {
+    return mix(unpack(site, 12u), unpack(site, 0u), scene.eye.w) - here;
+}
+
+fn tag_of(site: vec2u) -> u32 {
+    return (site.x >> 24u) | ((site.y >> 24u) << 8u);
+}
+
+// The low bits of a key are the number of a site in its list, the high ones those of its squared
+// distance, which order as it does: three sites are kept sorted by least and greatest alone.
+const NUMBER = 1023u;
+const NONE = 0xffffffffu;
+
+fn key_of(site: vec2u, number: u32, here: vec2f) -> u32 {
+    let offset = offset_of(site, here);
+    return (bitcast<u32>(dot(offset, offset)) & ~NUMBER) | number;
+}
+
+fn sorted_in(nearest: vec3u, key: u32) -> vec3u {
+    let second = max(nearest.x, key);
+    return min(nearest, vec3u(key, second, max(nearest.y, second)));
+}
+
+fn near_of(first: u32, key: u32, here: vec2f) -> Near {
+    let number = first + (key & NUMBER);
+    let pair = two_sites(number);
+    let site = select(pair.xy, pair.zw, (number & 1u) == 1u);
+    return Near(offset_of(site, here), tag_of(site));
 }
 
 fn kind_of(tag: u32) -> u32 {
@@ -54,7 +89,8 @@ fn is_child(tag: u32, other: u32) -> bool {
 // `place` in the plane of the triangle, with its derivatives along x and y of the screen.
 fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosaic {
     let head = textureLoad(heads, vec2u(triangle & 2047u, triangle >> 11u), 0);
-    if head.y == 0u {
+    let count = min(head.y, NUMBER);
+    if count == 0u {
         return Mosaic(tinted(1u, 0.0), vec2f(0.0));
     }
     let scale = bitcast<f32>(head.z);
@@ -63,95 +99,72 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
     let pixel = max(length(place_dx), length(place_dy));
     // 1: cells are seen one by one; 0: they are smaller than a pixel and a half.
     let apart = smoothstep(1.2, 3.0, spacing / pixel);
-    let mean_radius = max(1.3 * spacing, pixel) / scale;
-    let per_radius2 = 1.0 / (mean_radius * mean_radius);
-
-    var first = Near(vec2f(0.0), 1e30, 0u);
-    var second = first;
-    var third = first;
-    var shares = vec3f(0.0);
-    var tints = vec3f(0.0);
-    var pair = vec4u(0u);
-    for (var i = 0u; i < head.y; i++) {
-        if (i & 1u) == 0u {
-            let texel = (head.x + i) >> 1u;
-            pair = textureLoad(sites, vec2u(texel & 2047u, texel >> 11u), 0);
-        } else {
-            pair = pair.zwxy;
-        }
-        let tag = (pair.x >> 24u) | ((pair.y >> 24u) << 8u);
-        let offset = mix(unpack(pair.xy, 12u), unpack(pair.xy, 0u), scene.eye.w) - here;
-        let near = Near(offset, dot(offset, offset), tag);
-        if near.distance2 < third.distance2 {
-            if near.distance2 < second.distance2 {
-                third = second;
-                if near.distance2 < first.distance2 {
-                    second = first;
-                    first = near;
-                } else {
-                    second = near;
-                }
-            } else {
-                third = near;
-            }
-        }
-        if apart < 1.0 {
-            let weight = max(1.0 - near.distance2 * per_radius2, 0.0);
-            let share = weight * weight * vec3f(vec3u(kind_of(tag)) == vec3u(0u, 1u, 2u));
-            shares += share;
-            tints += share * tint_of(tag);
-        }
-    }
-
-    var colour = colour_of(first.tag);
+    var colour = vec3f(0.0);
     var line = 0.0;
     var slope = vec2f(0.0);
-    let half_line = BORDER_SHARE * spacing;
-    for (var k = 0u; k < 2u; k++) {
-        var other = second;
-        if k == 1u {
-            other = third;
+    if apart > 0.0 {
+        var nearest = vec3u(NONE);
+        for (var i = 0u; i < count; i += 2u) {
+            let pair = two_sites(head.x + i);
+            nearest = sorted_in(nearest, key_of(pair.xy, i, here));
+            let other = select(NONE, key_of(pair.zw, i + 1u, here), i + 1u < count);
+            nearest = sorted_in(nearest, other);
         }
-        if other.distance2 > 1e29 {
-            break;
+        let first = near_of(head.x, nearest.x, here);
+        colour = colour_of(first.tag);
+        let half_line = BORDER_SHARE * spacing;
+        for (var k = 0u; k < 2u; k++) {
+            let key = select(nearest.y, nearest.z, k == 1u);
+            let other = near_of(head.x, key, here);
+            if key == NONE || other.tag == first.tag {
+                // Its other image, seen on the far side of a curved vertex: no border.
+                continue;
+            }
+            let between = (other.offset - first.offset) * scale;
+            let apart_cm = length(between);
+            let across = between / max(apart_cm, 1e-9);
+            let to_border = dot(0.5 * scale * (first.offset + other.offset), across);
+            // Width of the pixel across this border.
+            let width =
+                max(length(vec2f(dot(across, place_dx), dot(across, place_dy))), 1e-9);
+            // A newborn cell stands where its parent stands: its border and its colour come as they
+            // part.
+            let parted = smoothstep(0.0, 0.3, apart_cm / spacing);
+            var kept = mix(1.0, clamp(0.5 + to_border / width, 0.0, 1.0), parted);
+            if parted < 1.0 && is_child(first.tag, other.tag) {
+                kept = max(parted, scene.eye.w);
+            }
+            colour = mix(colour_of(other.tag), colour, kept);
+            let drawn = max(half_line, 0.5 * width);
+            let cover = clamp(0.5 + (drawn - to_border) / width, 0.0, 1.0) * half_line / drawn;
+            line = max(line, cover * parted);
+            let steep = to_border / (1.7 * half_line);
+            slope += across * (parted * exp(-steep * steep));
         }
-        let between = (other.offset - first.offset) * scale;
-        let apart_cm = length(between);
-        let across = between / max(apart_cm, 1e-9);
-        let to_border = dot(0.5 * scale * (first.offset + other.offset), across);
-        // Width of the pixel across this border.
-        let width = max(length(vec2f(dot(across, place_dx), dot(across, place_dy))), 1e-9);
-        // A newborn cell stands where its parent stands: its border and its colour come as they part.
-        let parted = smoothstep(0.0, 0.3, apart_cm / spacing);
-        if other.tag == first.tag {
-            // Its other image, seen on the far side of a curved vertex: no border.
-            continue;
-        }
-        var kept = mix(1.0, clamp(0.5 + to_border / width, 0.0, 1.0), parted);
-        if parted < 1.0 && is_child(first.tag, other.tag) {
-            kept = max(parted, scene.eye.w);
-        }
-        colour = mix(colour_of(other.tag), colour, kept);
-        let drawn = max(half_line, 0.5 * width);
-        let cover = clamp(0.5 + (drawn - to_border) / width, 0.0, 1.0) * half_line / drawn;
-        line = max(line, cover * parted);
-        let steep = to_border / (1.7 * half_line);
-        slope += across * (parted * exp(-steep * steep));
+        // Cells are a little domed, where they are large enough to see it.
+        slope *= 0.16 * smoothstep(8.0, 24.0, spacing / pixel);
     }
-    // Cells are a little domed, where they are large enough to see it.
-    slope *= 0.16 * smoothstep(8.0, 24.0, spacing / pixel);
-
-    let border = scene.look.y * (2.0 - scene.look.y);
     if apart < 1.0 {
-        let total = shares.x + shares.y + shares.z;
-        if total > 0.0 {
-            tints /= max(shares, vec3f(1e-9));
-            let mean = (shares.x * tinted(0u, tints.x) + shares.y * tinted(1u, tints.y)
-                + shares.z * tinted(2u, tints.z)) / total;
-            colour = mix(mean, colour, apart);
-            // The share of a regular mosaic's area that its borders take.
-            line = mix(4.0 * BORDER_SHARE, line, apart);
+        let mean_radius = max(1.3 * spacing, pixel) / scale;
+        let per_radius2 = 1.0 / (mean_radius * mean_radius);
+        var shares = vec3f(0.0);
+        var tints = vec3f(0.0);
+        for (var i = 0u; i < count; i++) {
+            let near = near_of(head.x, i, here);
+            // All count a little: somewhere no site may be within the radius.
+            let weight = max(1.0 - dot(near.offset, near.offset) * per_radius2, 1e-3);
+            let share =
+                weight * weight * vec3f(vec3u(kind_of(near.tag)) == vec3u(0u, 1u, 2u));
+            shares += share;
+            tints += share * tint_of(near.tag);
         }
+        tints /= max(shares, vec3f(1e-9));
+        let mean = (shares.x * tinted(0u, tints.x) + shares.y * tinted(1u, tints.y)
+            + shares.z * tinted(2u, tints.z)) / (shares.x + shares.y + shares.z);
+        colour = mix(mean, colour, apart);
+        // The share of a regular mosaic's area that its borders take.
+        line = mix(4.0 * BORDER_SHARE, line, apart);
     }
+    let border = scene.look.y * (2.0 - scene.look.y);
     return Mosaic(colour * (1.0 - border * line), slope);
 }
