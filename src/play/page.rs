@@ -314,6 +314,7 @@ impl Page {
         if !self.broken {
             effects.push(Effect::Tell(Vec::new()));
         }
+        self.sharp &= scene.show == self.scene.show && scene.look == self.scene.look;
         self.camera.wish(scene.orbit);
         if scene.plant.key != self.scene.plant.key {
             self.camera.jump();

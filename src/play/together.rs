@@ -312,6 +312,28 @@ fn a_full_population_ends_the_line_of_days() {
 }
 
 #[test]
+fn a_picture_is_ready_when_it_has_all_its_pixels() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=4");
+    all.finish();
+    let page = &mut all.page;
+    for event in [Event::Seek(2), Event::Change { key: "va", value: 0.2 }] {
+        page.hear(event.clone());
+        while page.is_moving() {
+            page.hear(Event::Tick(0.1));
+        }
+        for (sharp, state) in [
+            (false, State::Growing),
+            (true, State::Ready),
+            // The plant is turned.
+            (false, State::Ready),
+        ] {
+            page.hear(Event::Drawn { sharp });
+            assert_eq!(page.state(), state, "{event:?}");
+        }
+    }
+}
+
+#[test]
 fn each_mesh_is_loaded_once() {
     let mut all = Together::open("#leaf?v=1&s=1&d=1");
     for plant in ["fruit", "leaf", "fruit"] {
