@@ -105,7 +105,7 @@ impl Stage {
             body: None,
             handed: Handed::default(),
             size_px: (0, 0),
-            detail: Detail::default(),
+            detail: Detail::new(false),
             _resize: resize,
             _on_resize: on_resize,
             _poster_missing: poster_missing,
@@ -132,6 +132,7 @@ impl Stage {
 
     /// Takes the renderer of this stage's canvas.
     pub fn run(&mut self, renderer: Renderer) {
+        self.detail = Detail::new(renderer.is_software());
         self.graphics = Graphics::Running(Box::new(renderer));
         self.handed = Handed::default();
     }

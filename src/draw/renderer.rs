@@ -19,7 +19,7 @@ pub struct Renderer {
     config: wgpu::SurfaceConfiguration,
     device: wgpu::Device,
     queue: wgpu::Queue,
-    backend: &'static str,
+    adapter: wgpu::AdapterInfo,
     pipelines: Pipelines,
     scene: Scene,
     scene_buffer: wgpu::Buffer,
@@ -65,7 +65,7 @@ impl Renderer {
         config: wgpu::SurfaceConfiguration,
         device: wgpu::Device,
         queue: wgpu::Queue,
-        backend: &'static str,
+        adapter: wgpu::AdapterInfo,
     ) -> Renderer {
         let pipelines = Pipelines::new(&device, config.format);
         let scene = Scene::zeroed();
@@ -104,7 +104,7 @@ impl Renderer {
             config,
             device,
             queue,
-            backend,
+            adapter,
             pipelines,
             scene,
             scene_buffer,
@@ -122,7 +122,15 @@ impl Renderer {
 
     /// `webgpu` or `webgl2`.
     pub fn backend(&self) -> &'static str {
-        self.backend
+        match self.adapter.backend {
+            wgpu::Backend::BrowserWebGpu => "webgpu",
+            _ => "webgl2",
+        }
+    }
+
+    /// Whether the processor draws, in the place of a graphics card.
+    pub fn is_software(&self) -> bool {
+        self.adapter.device_type == wgpu::DeviceType::Cpu
     }
 
     /// Shows a body, bare until its sites come: `set_sites` of the body before counts no more.

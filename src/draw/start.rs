@@ -44,15 +44,12 @@ impl Renderer {
             .get_default_config(&adapter, 1, 1)
             .ok_or_else(|| DrawError::NoSurface("no format fits the adapter".into()))?;
         config.format = config.format.remove_srgb_suffix();
-        let backend = match adapter.get_info().backend {
-            wgpu::Backend::BrowserWebGpu => "webgpu",
-            _ => "webgl2",
-        };
+        let info = adapter.get_info();
         // A WebGL2 canvas is premultiplied by itself, and may not be asked to be.
-        if backend == "webgpu" {
+        if info.backend == wgpu::Backend::BrowserWebGpu {
             config.alpha_mode = wgpu::CompositeAlphaMode::PreMultiplied;
         }
-        Ok(Renderer::with_device(surface, config, device, queue, backend))
+        Ok(Renderer::with_device(surface, config, device, queue, info))
     }
 }
 

@@ -30,13 +30,14 @@ pub struct Detail {
     quick_frames: u32,
 }
 
-impl Default for Detail {
-    fn default() -> Detail {
-        Detail { share: 1.0, changed: false, rested_s: 0.0, last_s: 0.0, quick_frames: 0 }
-    }
-}
-
 impl Detail {
+    /// A graphics card is taken to be quick, and software in its place to be slow, until frames tell:
+    /// so the first picture comes sooner.
+    pub fn new(is_software: bool) -> Detail {
+        let share = if is_software { LEAST_SHARE } else { 1.0 };
+        Detail { share, changed: false, rested_s: 0.0, last_s: 0.0, quick_frames: 0 }
+    }
+
     /// The share of the pixels along each side to draw a frame with. `seconds`: since the last frame
     /// began. `changes`: whether this one will differ from it otherwise than in its pixels.
     pub fn share(&mut self, seconds: f64, changes: bool) -> f64 {
@@ -79,7 +80,7 @@ mod tests {
 
     #[test]
     fn quick_devices_draw_all_pixels_always() {
-        let mut detail = Detail::default();
+        let mut detail = Detail::new(false);
         assert_eq!(after(200, 0.016, &mut detail), 1.0);
         // A hiccup changes nothing.
         detail.share(0.4, true);
@@ -87,9 +88,17 @@ mod tests {
     }
 
     #[test]
+    fn software_begins_coarse_and_gets_its_pixels_if_it_is_quick() {
+        let mut detail = Detail::new(true);
+        assert_eq!(detail.share(0.016, true), LEAST_SHARE);
+        assert_eq!(detail.share(REST_S, false), 1.0, "at rest all pixels at once");
+        assert_eq!(after(400, 0.01, &mut detail), 1.0);
+    }
+
+    #[test]
     fn slow_devices_draw_in_time_and_settle() {
         for whole_s in [0.06, 0.1, 0.2, 0.25] {
-            let mut detail = Detail::default();
+            let mut detail = Detail::new(false);
             let share = after(10, whole_s, &mut detail);
             assert!(share < 1.0 && whole_s * share * share < SLOW_S, "{whole_s}: {share}");
             let shares: Vec<f64> = (0..400).map(|_| after(1, whole_s, &mut detail)).collect();
@@ -100,19 +109,19 @@ mod tests {
 
     #[test]
     fn the_slowest_draw_a_third() {
-        assert_eq!(after(20, 5.0, &mut Detail::default()), LEAST_SHARE);
+        assert_eq!(after(20, 5.0, &mut Detail::new(false)), LEAST_SHARE);
     }
 
     #[test]
     fn what_becomes_quick_gets_its_pixels_back() {
-        let mut detail = Detail::default();
+        let mut detail = Detail::new(false);
         assert!(after(10, 0.3, &mut detail) < 0.5);
         assert_eq!(after(400, 0.01, &mut detail), 1.0);
     }
 
     #[test]
     fn at_rest_all_pixels_are_drawn() {
-        let mut detail = Detail::default();
+        let mut detail = Detail::new(false);
         let coarse = after(10, 0.3, &mut detail);
         assert_eq!(detail.share(0.05, false), coarse, "the next key may come");
         assert_eq!(detail.share(0.2, false), 1.0);
