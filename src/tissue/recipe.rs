@@ -138,8 +138,10 @@ impl Recipe {
             // serde would take a list for the fields in their order.
             return Err(RecipeError("the recipe: a list, but it must be an object {...}".into()));
         }
-        let recipe: Recipe =
-            serde_json::from_str(text).map_err(|e| RecipeError(format!("the recipe: {e}")))?;
+        let mut json = serde_json::Deserializer::from_str(text);
+        let recipe: Recipe = serde_path_to_error::deserialize(&mut json)
+            .map_err(|e| refusal(&e.path().to_string(), e.inner()))?;
+        json.end().map_err(|e| refusal("", &e))?;
         recipe.check()?;
         Ok(recipe)
     }
@@ -222,6 +224,21 @@ impl Recipe {
         }
         Ok(())
     }
+}
+
+/// What is wrong with a recipe's JSON, and at which number of it.
+fn refusal(at: &str, error: &serde_json::Error) -> RecipeError {
+    let what = error.to_string();
+    if !error.is_data() {
+        return RecipeError(format!("the recipe is no JSON: {what}"));
+    }
+    let at = if at == "." { "the recipe" } else { at };
+    let what = what
+        .replace("expected struct Recipe", "expected an object {...}")
+        .replace("expected u32", "expected a whole number from 0 on")
+        .replace("expected f32", "expected a number")
+        .replace("expected f64", "expected a number");
+    RecipeError(format!("{at}: {what}"))
 }
 
 /// One rule for both clocks, though the exponential one would not need it: no change of the clock

@@ -37,11 +37,13 @@ fn what_is_left_out_has_its_default() {
 #[test]
 fn what_cannot_be_grown_is_refused_in_plain_words() {
     for (text, words) in [
-        ("", "recipe"),
+        ("", "the recipe is no JSON"),
         ("[]", "recipe"),
-        ("{\"days\":}", "recipe"),
+        ("{\"days\":}", "the recipe is no JSON"),
+        ("{} {}", "the recipe is no JSON"),
+        ("3", "the recipe: invalid type: integer `3`, expected an object"),
         (r#"{"dayz":3}"#, "dayz"),
-        (r#"{"days":-1}"#, "-1"),
+        (r#"{"days":-1}"#, "days: invalid value: integer `-1`, expected a whole number"),
         (r#"{"days":2.5}"#, "2.5"),
         (r#"{"days":100000}"#, "days is 100000"),
         (r#"{"initial_cells":0}"#, "initial_cells is 0"),
@@ -53,6 +55,7 @@ fn what_cannot_be_grown_is_refused_in_plain_words() {
         (r#"{"mutation":{"F":{"B":1.2}}}"#, "mutation of F"),
         (r#"{"mutation":{"F":{"F":0.5,"B":0.1}}}"#, "mutation of F"),
         (r#"{"adhesion":{"FF":1.2}}"#, "adhesion FF is 1.2"),
+        (r#"{"adhesion":{"FF":"much"}}"#, "adhesion.FF: invalid type: string"),
         (r#"{"adhesion":{"BF":0.2}}"#, "no pair BF"),
         (r#"{"radius_scale":0}"#, "radius_scale is 0"),
         (r#"{"radius_scale":1e9}"#, "radius_scale"),
