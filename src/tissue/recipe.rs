@@ -232,7 +232,8 @@ fn refusal(at: &str, error: &serde_json::Error) -> RecipeError {
     if !error.is_data() {
         return RecipeError(format!("the recipe is no JSON: {what}"));
     }
-    let at = if at == "." { "the recipe" } else { at };
+    // Keys that are types are unknown to the path: it names the numbers that they belong to.
+    let at = if at == "." { "the recipe" } else { at.trim_end_matches(".?") };
     let what = what
         .replace("expected struct Recipe", "expected an object {...}")
         .replace("expected u32", "expected a whole number from 0 on")

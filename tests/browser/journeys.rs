@@ -235,23 +235,52 @@ fn growing_does_not_fill_the_history() {
     assert_eq!(page.run("return history.length"), before);
 }
 
+/// Notes the share of its pixels along each side that the first live picture is drawn with.
+const FIRST_SHARE: &str = "new MutationObserver((_, watcher) => {
+    if (!document.querySelector('#stage[data-live]')) return;
+    watcher.disconnect();
+    const canvas = document.getElementById('canvas');
+    window.first_share = canvas.width / (canvas.clientWidth * devicePixelRatio);
+}).observe(document, {subtree: true, attributeFilter: ['data-live']})";
+
+#[test]
+fn software_shows_its_first_picture_with_few_pixels_and_rests_with_all() {
+    for graphics in [Graphics::WebGpu, Graphics::WebGl2] {
+        let Some(page) = Page::start(graphics) else { return };
+        page.devtools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": FIRST_SHARE }));
+        page.visit(SOON);
+        page.on_day(4);
+        page.picture();
+        let share = page.run("return window.first_share").as_f64().expect("a number");
+        assert!((0.3..0.4).contains(&share), "a third along each side, not {share}");
+        let sharp = "const canvas = document.getElementById('canvas');
+            return canvas.width > 0.99 * canvas.clientWidth * devicePixelRatio";
+        assert_eq!(page.run(sharp), true);
+    }
+}
+
 #[test]
 fn a_slow_device_turns_a_coarser_picture_and_rests_on_a_sharp_one() {
     let Some(page) = Page::start(Graphics::WebGpu) else { return };
-    // Frames come no sooner than after 100 ms.
-    let slow = "const ask = window.requestAnimationFrame.bind(window);
+    // Frames come no sooner than after 100 ms, and of what draws them nothing is known.
+    let slow = "const info = window.GPUAdapterInfo?.prototype;
+        if (info) Object.defineProperty(info, 'isFallbackAdapter', {value: false});
+        const ask = window.requestAnimationFrame.bind(window);
         window.requestAnimationFrame = callback => setTimeout(() => ask(callback), 100)";
     page.devtools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": slow }));
+    page.devtools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": FIRST_SHARE }));
     page.visit(SOON);
     let before = page.on_day(4);
     let picture = page.picture();
+    let is_coarse = "const canvas = document.getElementById('canvas');
+        return canvas.width < 0.8 * canvas.clientWidth * devicePixelRatio";
+    assert_eq!(page.run(is_coarse), false);
+    assert_eq!(page.run("return window.first_share > 0.99"), true);
     page.run(
         "const key = new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: true});
          const stage = document.getElementById('stage');
          window.turning = setInterval(() => stage.dispatchEvent(key), 50)",
     );
-    let is_coarse = "const canvas = document.getElementById('canvas');
-        return canvas.width < 0.8 * canvas.clientWidth * devicePixelRatio";
     page.wait_for("fewer pixels", is_coarse);
     page.wait("the plant to be what it was", |s| *s == before);
     page.run("clearInterval(window.turning)");

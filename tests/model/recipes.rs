@@ -51,6 +51,8 @@ fn what_cannot_be_grown_is_refused_in_plain_words() {
         (r#"{"initial_probability":{"F":1.5,"B":-0.5}}"#, "initial_probability"),
         (r#"{"initial_probability":{"Q":1}}"#, "Q"),
         (r#"{"division_days":{"F":0.6}}"#, "division_days of F is 0.6: it must be over 1"),
+        (r#"{"division_days":{"F":null}}"#, "division_days: invalid type: null, expected a number"),
+        (r#"{"mutation":{"F":{"B":"often"}}}"#, "mutation: invalid type"),
         (r#"{"division_days":{"B":1}}"#, "division_days of B is 1"),
         (r#"{"mutation":{"F":{"B":1.2}}}"#, "mutation of F"),
         (r#"{"mutation":{"F":{"F":0.5,"B":0.1}}}"#, "mutation of F"),
