@@ -1,6 +1,6 @@
 //! A body as the corners that the graphics card draws.
 
-use super::occlusion::{Shade, sample_spacing};
+use super::occlusion::{Shade, Sky, sample_spacing};
 use super::scene::{BARE_MATERIALS, key_direction};
 use crate::surface::{Body, Mesh};
 use bytemuck::{Pod, Zeroable};
@@ -71,16 +71,16 @@ impl Geometry {
         let number = |name: &str| materials.iter().position(|m| *m == name).unwrap_or(0) as u32;
         let bounds = Bounds::of(body);
         let casters = casters(body, sample_spacing(bounds.radius));
-        let shade =
-            Shade { casters: &casters, centre: bounds.centre, radius: bounds.radius * 1.01 };
+        let shade = Shade::new(casters.into_iter(), bounds.centre, bounds.radius * 1.01);
+        let sky = shade.sky();
 
         let mut corners = surface_corners(
             &body.surface,
-            &openness(&shade, &body.surface.positions, &body.surface.normals),
+            &openness(&sky, &body.surface.positions, &body.surface.normals),
         );
         let surface_corners = corners.len() as u32;
         for part in &body.ornaments {
-            let openness = openness(&shade, &part.positions, &part.normals);
+            let openness = openness(&sky, &part.positions, &part.normals);
             let number = number(&part.material);
             corners.extend(part.triangles.iter().flatten().map(|&v| Corner {
                 position: part.positions[v as usize],
@@ -90,7 +90,7 @@ impl Geometry {
                 ..Zeroable::zeroed()
             }));
         }
-        let (ground, ground_triangles) = ground(&shade, &bounds);
+        let (ground, ground_triangles) = ground(&shade, &sky, &bounds);
         Geometry { corners, surface_corners, ground, ground_triangles, bounds }
     }
 }
@@ -139,9 +139,8 @@ pub fn vein_lean(mesh: &Mesh) -> f32 {
     if lengths.y > 0.0 { lengths.x / (lengths.y * TAN_60) } else { 0.0 }
 }
 
-fn openness(shade: &Shade, positions: &[Vec3], normals: &[Vec3]) -> Vec<f32> {
-    let points: Vec<_> = positions.iter().copied().zip(normals.iter().copied()).collect();
-    shade.sky(&points)
+fn openness(sky: &Sky, positions: &[Vec3], normals: &[Vec3]) -> Vec<f32> {
+    positions.iter().zip(normals).map(|(&point, &normal)| sky.openness(point, normal)).collect()
 }
 
 fn surface_corners(mesh: &Mesh, openness: &[f32]) -> Vec<Corner> {
@@ -189,7 +188,7 @@ fn casters(body: &Body, spacing: f32) -> Vec<Vec3> {
 }
 
 /// The ground disc: rings that crowd towards the body.
-fn ground(shade: &Shade, bounds: &Bounds) -> (Vec<GroundCorner>, Vec<[u32; 3]>) {
+fn ground(shade: &Shade, sky: &Sky, bounds: &Bounds) -> (Vec<GroundCorner>, Vec<[u32; 3]>) {
     let disc = bounds.ground();
     let outs: Vec<Vec2> = (0..=GROUND_RINGS)
         .flat_map(|ring| {
@@ -204,9 +203,9 @@ fn ground(shade: &Shade, bounds: &Bounds) -> (Vec<GroundCorner>, Vec<[u32; 3]>) 
         .collect();
     let points: Vec<Vec3> =
         outs.iter().map(|out| disc.truncate() + Vec3::new(out.x, 0.0, out.y) * disc.w).collect();
-    let sky = shade.sky(&points.iter().map(|&p| (p, Vec3::Y)).collect::<Vec<_>>());
+    let sky = points.iter().map(|&point| sky.openness(point, Vec3::Y));
     let lamp = shade.lamp(key_direction(), &points);
-    let darkness = sky.iter().zip(&lamp).map(|(sky, lamp)| Vec2::new(1.0 - sky, 1.0 - lamp));
+    let darkness = sky.zip(&lamp).map(|(sky, lamp)| Vec2::new(1.0 - sky, 1.0 - lamp));
     let darkness = smoothed(darkness.collect());
     let corners =
         outs.into_iter().zip(darkness).map(|(out, darkness)| GroundCorner { out, darkness });

@@ -2,6 +2,7 @@
 //! directions, splatted on the processor in a few milliseconds.
 
 use glam::{Vec2, Vec3};
+use wide::f32x4;
 
 /// Cells along a side of a depth map: fine enough for a stalk, coarse enough that the samples of
 /// the surface leave no holes.
@@ -15,13 +16,13 @@ const SKY_AXES: usize = 20;
 const KEY_DIRECTIONS: usize = 24;
 const KEY_CONE: f32 = 0.20;
 
-/// What casts and catches shade.
-pub struct Shade<'a> {
-    /// Points on all surfaces that take light away, dense as `sample_spacing` asks.
-    pub casters: &'a [Vec3],
-    pub centre: Vec3,
-    /// Radius of a sphere around the casters.
-    pub radius: f32,
+/// What takes light away.
+pub struct Shade {
+    /// x, y and z of four points from the centre.
+    casters: Vec<[f32x4; 3]>,
+    centre: Vec3,
+    /// Cells of a depth map in a unit of length.
+    per_cell: f32,
 }
 
 /// Length of the triangles whose centroids leave no holes in the depth maps that would be seen: two
@@ -30,19 +31,34 @@ pub fn sample_spacing(radius: f32) -> f32 {
     4.0 * radius / SIDE as f32
 }
 
-impl Shade<'_> {
-    /// For each point with its unit normal the share of the sky that it sees, weighted by the
-    /// cosine, 0 to 1.
-    pub fn sky(&self, points: &[(Vec3, Vec3)]) -> Vec<f32> {
-        let mut seen = vec![Vec2::ZERO; points.len()];
-        for axis in sphere(SKY_AXES) {
-            let map = DepthMap::new(self, axis);
-            for (&(point, normal), sum) in points.iter().zip(&mut seen) {
-                let cosine = normal.dot(axis);
-                *sum += Vec2::new(cosine.abs() * map.visibility(point, cosine < 0.0), cosine.abs());
+impl Shade {
+    /// Shade of surfaces by points on all of them, dense as `sample_spacing` asks, within a sphere. Of
+    /// points in one cube half as wide as a cell of the depth maps, one is enough.
+    pub fn new(points: impl Iterator<Item = Vec3>, centre: Vec3, radius: f32) -> Shade {
+        const CUBES: usize = 2 * SIDE;
+        let mut is_taken = vec![0u64; CUBES * CUBES * CUBES / 64];
+        let mut casters = Vec::new();
+        for from_centre in points.map(|point| point - centre) {
+            let cube = from_centre * (CUBES as f32 / (2.0 * radius)) + CUBES as f32 / 2.0;
+            let [x, y, z] = cube.to_array().map(|v| (v as usize).min(CUBES - 1));
+            let cube = (z * CUBES + y) * CUBES + x;
+            let (taken, bit) = (&mut is_taken[cube / 64], 1 << (cube % 64));
+            if *taken & bit == 0 {
+                *taken |= bit;
+                casters.push(from_centre);
             }
         }
-        seen.into_iter().map(|s| if s.y > 0.0 { s.x / s.y } else { 1.0 }).collect()
+        let fours = casters.chunks(4).map(|points| {
+            // The last one fills the last four up: to see it again makes no shade.
+            let point = |k: usize| points[k.min(points.len() - 1)].to_array();
+            std::array::from_fn(|axis| f32x4::new(std::array::from_fn(|k| point(k)[axis])))
+        });
+        Shade { casters: fours.collect(), centre, per_cell: SIDE as f32 / (2.0 * radius) }
+    }
+
+    /// Of the sky.
+    pub fn sky(&self) -> Sky {
+        Sky { maps: sphere(SKY_AXES).map(|axis| DepthMap::new(self, axis)).collect() }
     }
 
     /// For each point the share of a wide lamp in the direction `key` that it sees, 0 to 1.
@@ -61,6 +77,24 @@ impl Shade<'_> {
     }
 }
 
+/// The sky over and under what takes its light away.
+pub struct Sky {
+    maps: Vec<DepthMap>,
+}
+
+impl Sky {
+    /// The share of the sky that a point with this unit normal sees, weighted by the cosine, 0 to 1.
+    pub fn openness(&self, point: Vec3, normal: Vec3) -> f32 {
+        let (mut seen, mut whole) = (0.0, 0.0);
+        for map in &self.maps {
+            let cosine = normal.dot(map.axis);
+            seen += cosine.abs() * map.visibility(point, cosine < 0.0);
+            whole += cosine.abs();
+        }
+        if whole > 0.0 { seen / whole } else { 1.0 }
+    }
+}
+
 /// The highest and the lowest caster over each cell of a plane across a direction.
 struct DepthMap {
     axis: Vec3,
@@ -68,31 +102,39 @@ struct DepthMap {
     up: Vec3,
     centre: Vec3,
     per_cell: f32,
-    bias: f32,
     highest: Vec<f32>,
     lowest: Vec<f32>,
 }
 
+/// A depth map has a rim of two cells around it in which nothing stands.
+const RIM: usize = 2;
+const STRIDE: usize = SIDE + 2 * RIM;
+
 impl DepthMap {
     fn new(shade: &Shade, axis: Vec3) -> DepthMap {
         let (right, up) = axis.any_orthonormal_pair();
-        let per_cell = SIDE as f32 / (2.0 * shade.radius);
         let mut map = DepthMap {
             axis,
             right,
             up,
             centre: shade.centre,
-            per_cell,
-            // Nearer than two cells a surface cannot be told from its own samples.
-            bias: 2.0 / per_cell,
-            highest: vec![f32::NEG_INFINITY; SIDE * SIDE],
-            lowest: vec![f32::INFINITY; SIDE * SIDE],
+            per_cell: shade.per_cell,
+            highest: vec![f32::NEG_INFINITY; STRIDE * STRIDE],
+            lowest: vec![f32::INFINITY; STRIDE * STRIDE],
         };
-        for &caster in shade.casters {
-            let (across, depth) = map.project(caster);
-            if let Some(cell) = cell(across.x as i32, across.y as i32) {
-                map.highest[cell] = map.highest[cell].max(depth);
-                map.lowest[cell] = map.lowest[cell].min(depth);
+        let (low, high) = (f32x4::splat(RIM as f32), f32x4::splat((RIM + SIDE - 1) as f32));
+        for &[x, y, z] in &shade.casters {
+            let along = |axis: Vec3| x * axis.x + y * axis.y + z * axis.z;
+            let [column, row] = [right, up].map(|axis| {
+                let across = along(axis) * map.per_cell + STRIDE as f32 / 2.0;
+                across.fast_max(low).fast_min(high).fast_trunc_int()
+            });
+            let cells = (row * STRIDE as i32 + column).to_array();
+            for (cell, depth) in cells.into_iter().zip(along(axis).to_array()) {
+                let (highest, lowest) =
+                    (&mut map.highest[cell as usize], &mut map.lowest[cell as usize]);
+                *highest = highest.max(depth);
+                *lowest = lowest.min(depth);
             }
         }
         map
@@ -102,29 +144,29 @@ impl DepthMap {
     fn project(&self, point: Vec3) -> (Vec2, f32) {
         let from_centre = point - self.centre;
         let across = Vec2::new(from_centre.dot(self.right), from_centre.dot(self.up));
-        (across * self.per_cell + SIDE as f32 / 2.0, from_centre.dot(self.axis))
+        (across * self.per_cell + STRIDE as f32 / 2.0, from_centre.dot(self.axis))
     }
 
     /// How free the way from a point is along the axis, or (`down`) against it: 0 to 1, a blend of
     /// the four cells around.
     fn visibility(&self, point: Vec3, down: bool) -> f32 {
         let (across, depth) = self.project(point);
-        let corner = (across - 0.5).floor();
-        let part = across - 0.5 - corner;
-        let free = |dx: i32, dy: i32| {
-            let Some(cell) = cell(corner.x as i32 + dx, corner.y as i32 + dy) else { return 1.0 };
-            let above = if down { depth - self.lowest[cell] } else { self.highest[cell] - depth };
-            1.0 - ((above - self.bias) / self.bias).clamp(0.0, 1.0)
-        };
-        let low = free(0, 0) * (1.0 - part.x) + free(1, 0) * part.x;
-        let high = free(0, 1) * (1.0 - part.x) + free(1, 1) * part.x;
-        low * (1.0 - part.y) + high * part.y
+        // Whoever stands beside the map looks from its rim.
+        let across = (across - 0.5).clamp(Vec2::ZERO, Vec2::splat((STRIDE - 2) as f32));
+        let (column, row) = (across.x as usize, across.y as usize);
+        let (part_x, part_y) = (across.x - column as f32, across.y - row as f32);
+        let (map, sign) = if down { (&self.lowest, -1.0) } else { (&self.highest, 1.0) };
+        let cell = row * STRIDE + column;
+        let four = [map[cell], map[cell + 1], map[cell + STRIDE], map[cell + STRIDE + 1]];
+        let above = (f32x4::new(four) - f32x4::splat(depth)) * f32x4::splat(sign);
+        // Nearer than two cells a surface cannot be told from its own samples.
+        let dark = above * f32x4::splat(0.5 * self.per_cell) - f32x4::ONE;
+        let free = f32x4::ONE - dark.fast_max(f32x4::ZERO).fast_min(f32x4::ONE);
+        let [a, b, c, d] = free.to_array();
+        let low = a + (b - a) * part_x;
+        let high = c + (d - c) * part_x;
+        low + (high - low) * part_y
     }
-}
-
-fn cell(x: i32, y: i32) -> Option<usize> {
-    let inside = |v: i32| (0..SIDE as i32).contains(&v);
-    (inside(x) && inside(y)).then(|| y as usize * SIDE + x as usize)
 }
 
 /// Evenly spread unit vectors on the upper half sphere (a Fibonacci spiral).
@@ -159,8 +201,9 @@ mod tests {
     #[test]
     fn a_plate_darkens_what_is_below_it_and_nothing_far_away() {
         let casters = plate(0.3);
-        let shade = Shade { casters: &casters, centre: Vec3::new(0.0, 0.3, 0.0), radius: 1.5 };
-        let sky = shade.sky(&[(Vec3::ZERO, Vec3::Y), (Vec3::new(9.0, 0.0, 0.0), Vec3::Y)]);
+        let shade = Shade::new(casters.into_iter(), Vec3::new(0.0, 0.3, 0.0), 1.5);
+        let sky = shade.sky();
+        let sky = [Vec3::ZERO, Vec3::new(9.0, 0.0, 0.0)].map(|point| sky.openness(point, Vec3::Y));
         assert!(sky[0] < 0.35, "under the plate {}", sky[0]);
         assert!(sky[1] > 0.95, "far away {}", sky[1]);
         let lamp = shade.lamp(Vec3::Y, &[Vec3::ZERO, Vec3::new(2.0, 0.0, 0.0)]);
@@ -170,8 +213,8 @@ mod tests {
     #[test]
     fn a_lone_plate_does_not_darken_itself() {
         let casters = plate(0.0);
-        let shade = Shade { casters: &casters, centre: Vec3::ZERO, radius: 1.5 };
-        let sky = shade.sky(&[(Vec3::ZERO, Vec3::Y), (Vec3::ZERO, Vec3::NEG_Y)]);
+        let sky = Shade::new(casters.into_iter(), Vec3::ZERO, 1.5).sky();
+        let sky = [Vec3::Y, Vec3::NEG_Y].map(|normal| sky.openness(Vec3::ZERO, normal));
         assert!(sky.iter().all(|&s| s > 0.9), "{sky:?}");
     }
 }

@@ -88,6 +88,8 @@ pub(super) struct Layout<'a> {
     portals: Vec<Portal>,
     /// Waiting portals, the nearest to the centre first.
     waiting: BinaryHeap<Reverse<Waiting>>,
+    /// Whether neighbours have been found that lie far apart.
+    is_torn: bool,
 }
 
 impl<'a> Layout<'a> {
@@ -106,10 +108,11 @@ impl<'a> Layout<'a> {
             centre: Vec2::ZERO,
             portals: Vec::new(),
             waiting: BinaryHeap::new(),
+            is_torn: false,
         }
     }
 
-    /// Lays down connected triangles and those around them.
+    /// Lays down connected triangles and those around them: not all of those, if several are `Torn`.
     pub(super) fn lay_out(&mut self, own: &[u32]) -> Fit {
         for &t in own {
             self.is_own[t as usize] = true;
@@ -132,9 +135,9 @@ impl<'a> Layout<'a> {
             self.image_of[t as usize] = k as u32;
         }
         self.outline = self.outline_of(own.len());
-        self.unfold_around();
+        self.unfold_around(own.len() > 1);
         let mut fit = Fit::Torn;
-        if self.holds_together() {
+        if !self.is_torn {
             let unfitted = self.images.clone();
             self.fit_together();
             if self.all_face_up() {
@@ -161,6 +164,7 @@ impl<'a> Layout<'a> {
         }
         self.portals.clear();
         self.waiting.clear();
+        self.is_torn = false;
         let corners = self.mesh.frames[home as usize].corners();
         self.centre = (corners[0] + corners[1] + corners[2]) / 3.0;
         self.place(home, corners);
@@ -179,9 +183,11 @@ impl<'a> Layout<'a> {
         self.waiting.extend(outwards);
     }
 
-    /// Unfolds the triangles within reach of the outline.
-    fn unfold_around(&mut self) {
-        while let Some(Reverse(waiting)) = self.waiting.pop() {
+    /// Unfolds the triangles within reach of the outline, or until they are found torn.
+    fn unfold_around(&mut self, until_torn: bool) {
+        while let Some(Reverse(waiting)) = self.waiting.pop()
+            && !(until_torn && self.is_torn)
+        {
             self.enter(self.portals[waiting.portal()], |layout, edge| {
                 layout.outline.is_within(layout.reach, edge)
             });
@@ -191,7 +197,14 @@ impl<'a> Layout<'a> {
     /// Unfolds the triangle behind a portal, if it is not there already.
     fn enter(&mut self, portal: Portal, goes_on: impl Fn(&Self, &[Vec2; 2]) -> bool) {
         let (triangle, entered) = (portal.twin / 3, portal.twin as usize % 3);
-        if self.image_of[triangle as usize] != NONE {
+        if let Some(known) = self.images.get(self.image_of[triangle as usize] as usize) {
+            // The edge runs the other way seen from this side.
+            let (corners, widest) = (known.corners(), (WIDEST_GAP * self.reach).powi(2));
+            let gaps = [
+                corners[(entered + 1) % 3].distance_squared(portal.left),
+                corners[(entered + 2) % 3].distance_squared(portal.right),
+            ];
+            self.is_torn |= gaps.iter().any(|&gap| gap > widest);
             return;
         }
         let corners = unfold(self.mesh, portal.twin as usize, portal.left, portal.right);
@@ -218,28 +231,6 @@ impl<'a> Layout<'a> {
         let distance_squared = self.centre.distance_squared(0.5 * (left + right));
         self.waiting.push(Reverse(Waiting::new(distance_squared, self.portals.len())));
         self.portals.push(Portal { twin, left, right });
-    }
-
-    /// Whether all neighbours whose common edge is within reach lie nearly edge to edge.
-    fn holds_together(&self) -> bool {
-        let widest = (WIDEST_GAP * self.reach).powi(2);
-        self.images.iter().all(|image| {
-            let corners = image.corners();
-            (0..3).all(|k| {
-                let twin = self.mesh.twins[3 * image.triangle as usize + k];
-                let (from, to) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
-                if twin == NO_TWIN {
-                    return true;
-                }
-                let other = self.images.get(self.image_of[twin as usize / 3] as usize);
-                let joined = other.is_some_and(|other| {
-                    let (theirs, k) = (other.corners(), twin as usize % 3);
-                    theirs[(k + 1) % 3].distance_squared(to) <= widest
-                        && theirs[(k + 2) % 3].distance_squared(from) <= widest
-                });
-                joined || !self.outline.is_within(self.reach, &[from, to])
-            })
-        })
     }
 
     /// Closes the gaps between the images: their corners meet, and each triangle keeps its shape as

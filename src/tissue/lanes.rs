@@ -58,31 +58,45 @@ pub(super) fn integers(whole: f32x4) -> u32x4 {
     shifted & u32x4::splat((1 << 23) - 1)
 }
 
-/// Sorts rows by their bins, those of one bin in the order in which they stood (counting sort).
-/// `starts` is left with the first row of each of `bins_in_all` bins and the end of the last; `place`
-/// is called with each row's number before and after.
-#[inline]
-pub(super) fn sort_by_bin(
-    bins: &[u32],
-    bins_in_all: usize,
-    starts: &mut Vec<u32>,
-    mut place: impl FnMut(usize, usize),
-) {
-    // Two ahead, so that each start, moved on to the next bin's, ends where it belongs.
-    starts.resize(bins_in_all + 2, 0);
-    starts.fill(0);
-    for &bin in bins {
-        starts[bin as usize + 2] += 1;
-    }
-    let mut sum = 0;
-    for start in &mut *starts {
-        sum += *start;
-        *start = sum;
-    }
-    for (row, &bin) in bins.iter().enumerate() {
-        let start = &mut starts[bin as usize + 1];
-        place(row, *start as usize);
-        *start += 1;
+/// Sorts rows by their bins (counting sort).
+#[derive(Clone, Debug, Default)]
+pub(super) struct BinSort {
+    /// The first row of each bin, and the end of the last.
+    pub(super) starts: Vec<u32>,
+    /// How many rows of its bin stood before each row.
+    ranks: Vec<u32>,
+}
+
+impl BinSort {
+    /// Those of one bin keep their order. `place` is called with each row's number before and after.
+    #[inline]
+    pub(super) fn sort(
+        &mut self,
+        bins: &[u32],
+        bins_in_all: usize,
+        mut place: impl FnMut(usize, usize),
+    ) {
+        let starts = &mut self.starts;
+        starts.resize(bins_in_all + 1, 0);
+        starts.fill(0);
+        if self.ranks.len() < bins.len() {
+            self.ranks.resize(bins.len(), 0);
+        }
+        let ranks = &mut self.ranks[..bins.len()];
+        // Rows of one bin follow each other closely: to count on in memory has to be waited for, and is
+        // done once.
+        for (&bin, rank) in bins.iter().zip(&mut *ranks) {
+            let count = &mut starts[bin as usize];
+            *rank = *count;
+            *count += 1;
+        }
+        let mut sum = 0;
+        for start in &mut *starts {
+            sum += std::mem::replace(start, sum);
+        }
+        for (row, (&bin, &rank)) in bins.iter().zip(&*ranks).enumerate() {
+            place(row, (starts[bin as usize] + rank) as usize);
+        }
     }
 }
 

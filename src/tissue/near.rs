@@ -2,7 +2,7 @@
 //! finds all within the repulsive radius in two rows of them.
 
 use super::forces::EIGHT;
-use super::lanes::{LANES, copy, integers, lanes, lanes_mut, sort_by_bin, whole};
+use super::lanes::{BinSort, LANES, copy, integers, lanes, lanes_mut, whole};
 use super::relax::{Row, four};
 use crate::surface::Image;
 use glam::Vec2;
@@ -33,8 +33,8 @@ pub(super) struct Near {
     pub(super) y: Vec<f32>,
     /// The type as a number, 0.0, 1.0 or 2.0.
     pub(super) kind: Vec<f32>,
-    /// The first cell of each box, row by row, and the end of the last.
-    starts: Vec<u32>,
+    /// Into boxes, row by row.
+    sorting: BinSort,
     columns: usize,
     boxes: usize,
     low: Vec2,
@@ -148,7 +148,7 @@ impl Near {
     pub(super) fn sort(&mut self) {
         self.find_boxes();
         let Points { x, y, kind } = &self.unsorted;
-        sort_by_bin(&self.box_of[..self.len], self.boxes, &mut self.starts, |k, to| {
+        self.sorting.sort(&self.box_of[..self.len], self.boxes, |k, to| {
             // SAFETY: all columns are of the same length, at least `len`, as `reserve` made them.
             unsafe {
                 copy(x, k, &mut self.x, to);
@@ -180,7 +180,8 @@ impl Near {
     #[inline]
     pub(super) fn windows(&self, k: usize) -> [Range<u32>; 2] {
         let first = self.window_of[k] as usize;
-        let window = |first: usize| self.starts[first]..self.starts[first + 2 * BOXES_PER_LOOK + 1];
+        let starts = &self.sorting.starts;
+        let window = |first: usize| starts[first]..starts[first + 2 * BOXES_PER_LOOK + 1];
         [window(first), window(first + self.columns)]
     }
 }

@@ -3,7 +3,7 @@
 use super::course::Course;
 use super::forces::{ForceLanes, Push};
 use super::ground::Ground;
-use super::lanes::{LANES, copy, lanes, lanes_mut, sort_by_bin};
+use super::lanes::{BinSort, LANES, copy, lanes, lanes_mut};
 use super::near::Near;
 use super::plan::{Neighbourhood, Plan, look_cm};
 use crate::surface::{Mesh, Place, walk};
@@ -20,8 +20,7 @@ pub struct Crowd {
     cells: usize,
     /// With `LANES` spare rows, as `moved` and `bins`.
     rows: Vec<Row>,
-    /// The first cell of each bin, and the end of the last.
-    starts: Vec<u32>,
+    sorting: BinSort,
     /// Where the cells have moved to, before they are sorted again, and their bins there.
     moved: Vec<Row>,
     bins: Vec<u32>,
@@ -190,7 +189,8 @@ impl Crowd {
 
     /// The rows of some bins.
     fn rows_of(&self, bins: Range<usize>) -> Range<usize> {
-        self.starts[bins.start] as usize..self.starts[bins.end] as usize
+        let starts = &self.sorting.starts;
+        starts[bins.start] as usize..starts[bins.end] as usize
     }
 
     /// Puts the cell of a row in another place.
@@ -203,7 +203,7 @@ impl Crowd {
     /// Sorts the moved cells by their bins; those of one bin keep their order.
     fn sort(&mut self) {
         let (moved, bins) = (&self.moved, &self.bins[..self.cells]);
-        sort_by_bin(bins, self.plan.bins_in_all(), &mut self.starts, |row, to| {
+        self.sorting.sort(bins, self.plan.bins_in_all(), |row, to| {
             // SAFETY: both have as many rows, more than there are cells.
             unsafe { copy(moved, row, &mut self.rows, to) };
         });
