@@ -16,44 +16,22 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// The convex hull (A. M. Andrew, Another efficient algorithm for convex hulls in two
-    /// dimensions, Information Processing Letters 9, 1979).
     pub(super) fn around(mut points: Vec<Vec2>) -> Outline {
         leave_out_inner(&mut points);
-        points.sort_unstable_by_key(|p| u64::from(ordinal(p.x)) << 32 | u64::from(ordinal(p.y)));
-        points.dedup();
-        let mut hull: Vec<Vec2> = Vec::new();
-        for pass in 0..2 {
-            let done = hull.len() + 1 - pass;
-            for k in 0..points.len() {
-                let p = points[if pass == 0 { k } else { points.len() - 1 - k }];
-                while hull.len() > done
-                    && (hull[hull.len() - 1] - hull[hull.len() - 2])
-                        .perp_dot(p - hull[hull.len() - 1])
-                        <= 0.0
-                {
-                    hull.pop();
-                }
-                hull.push(p);
-            }
-        }
-        let edges = hull.windows(2).filter(|pair| pair[0] != pair[1]).map(|pair| {
+        let corners = hull(points);
+        let edges = corners.windows(2).filter(|pair| pair[0] != pair[1]).map(|pair| {
             let normal = -normalized((pair[1] - pair[0]).perp());
             [normal.x, normal.y, normal.dot(pair[0])]
         });
+        let edges: Vec<[f32; 3]> = edges.collect();
+        // Everything lies within the edges that fill the last four up.
         let fours = edges
-            .collect::<Vec<_>>()
             .chunks(4)
-            .map(|edges| {
-                // Everything lies within the edges that fill the last four up.
-                let edge = |k: usize| edges.get(k).copied().unwrap_or([0.0, 0.0, f32::INFINITY]);
-                std::array::from_fn(|i| f32x4::new(std::array::from_fn(|k| edge(k)[i])))
-            })
-            .collect();
+            .map(|edges| columns(|k| edges.get(k).copied().unwrap_or([0.0, 0.0, f32::INFINITY])));
         Outline {
-            edges: fours,
-            low: points.iter().copied().fold(Vec2::INFINITY, Vec2::min),
-            high: points.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max),
+            edges: fours.collect(),
+            low: corners.iter().copied().fold(Vec2::INFINITY, Vec2::min),
+            high: corners.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max),
         }
     }
 
@@ -71,12 +49,34 @@ impl Outline {
     }
 }
 
+/// The corners of the convex hull, the first again at the end (A. M. Andrew, Another efficient algorithm
+/// for convex hulls in two dimensions, Information Processing Letters 9, 1979).
+fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
+    points.sort_unstable_by_key(|p| u64::from(ordinal(p.x)) << 32 | u64::from(ordinal(p.y)));
+    points.dedup();
+    let mut hull: Vec<Vec2> = Vec::new();
+    for pass in 0..2 {
+        let done = hull.len() + 1 - pass;
+        for k in 0..points.len() {
+            let p = points[if pass == 0 { k } else { points.len() - 1 - k }];
+            while hull.len() > done
+                && (hull[hull.len() - 1] - hull[hull.len() - 2]).perp_dot(p - hull[hull.len() - 1])
+                    <= 0.0
+            {
+                hull.pop();
+            }
+            hull.push(p);
+        }
+    }
+    hull
+}
+
 /// Leaves most points out that cannot be corners of the convex hull: those well within the polygon of
 /// the farthest ones in eight directions (S. G. Akl, G. T. Toussaint, A fast convex hull algorithm,
 /// Information Processing Letters 7, 1978).
 fn leave_out_inner(points: &mut Vec<Vec2>) {
     let Some(&first) = points.first() else { return };
-    // A turn of an eighth apart, and then the four against them.
+    // An eighth of a turn apart, and then the four against them.
     let along = |p: Vec2| f32x4::new([p.x, p.x + p.y, p.y, p.y - p.x]);
     let mut farthest = [[f32x4::splat(first.x), f32x4::splat(first.y), along(first)]; 2];
     for &p in &*points {
@@ -87,24 +87,93 @@ fn leave_out_inner(points: &mut Vec<Vec2>) {
         }
     }
     let [x, y]: [[f32; 8]; 2] = [0, 1].map(|k| bytemuck::cast(farthest.map(|known| known[k])));
-    let sides: [[f32; 3]; 8] = std::array::from_fn(|k| {
+    if x == [x[0]; 8] && y == [y[0]; 8] {
+        return;
+    }
+    let side = |k: usize| {
         let [from, to] = [k, (k + 1) % 8].map(|k| Vec2::new(x[k], y[k]));
         let inwards = (to - from).perp();
         // Rounding must not decide. Where the side is a point, it decides nothing.
         let least = inwards.dot(from) + 1e-3 * inwards.length_squared();
         [inwards.x, inwards.y, if from == to { f32::NEG_INFINITY } else { least }]
-    });
-    let sides: [[f32x4; 3]; 2] = [0, 4].map(|first| {
-        std::array::from_fn(|i| f32x4::new(std::array::from_fn(|k| sides[first + k][i])))
-    });
+    };
+    let sides = [0, 4].map(|first| columns(|k| side(first + k)));
     points.retain(|&p| {
         let out = sides.map(|[x, y, least]| (x * p.x + y * p.y).simd_le(least));
         (out[0] | out[1]).any()
     });
 }
 
+/// Three columns of four rows.
+fn columns(row: impl Fn(usize) -> [f32; 3]) -> [f32x4; 3] {
+    let rows: [[f32; 3]; 4] = std::array::from_fn(row);
+    std::array::from_fn(|column| f32x4::new(rows.map(|row| row[column])))
+}
+
 /// An integer that orders as the number does.
 fn ordinal(number: f32) -> u32 {
     let bits = number.to_bits();
     if number.is_sign_negative() { !bits } else { bits | 1 << 31 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers from 0 to 1 that look like chance (a Weyl sequence).
+    fn chance(k: u32, purpose: f64) -> f32 {
+        (f64::from(k) * purpose).fract() as f32
+    }
+
+    fn clouds() -> Vec<Vec<Vec2>> {
+        let square = |k: u32| Vec2::new(chance(k, 0.754_877_666), chance(k, 0.569_840_291));
+        let shapes: [fn(Vec2) -> Vec2; 5] = [
+            |p| p,
+            |p| {
+                let (sin, cos) = libm::sincosf(6.3 * p.x);
+                Vec2::new(cos, sin) * (0.3 + 0.7 * p.y)
+            },
+            |p| Vec2::new(p.x, 1e-3 * p.y),
+            |p| Vec2::new(p.x - p.y, p.x * p.y),
+            // Corners of many triangles, some laid down twice with a rounding between them.
+            |p| (p * 8.0).floor() + (p * 64.0).fract().round() * 1e-6,
+        ];
+        let cloud = |shape: fn(Vec2) -> Vec2, n| (0..n).map(|k| shape(square(k))).collect();
+        shapes.iter().flat_map(|&shape| [3, 4, 9, 60, 900].map(|n| cloud(shape, n))).collect()
+    }
+
+    #[test]
+    fn the_hull_is_that_of_all_points() {
+        let mut left_out = 0;
+        for cloud in clouds() {
+            let mut some = cloud.clone();
+            leave_out_inner(&mut some);
+            left_out += cloud.len() - some.len();
+            assert_eq!(hull(some), hull(cloud));
+        }
+        assert!(left_out > 3000, "only {left_out} of 4880 points were left out");
+    }
+
+    #[test]
+    fn what_lies_within_reach_of_all_edges_is_near() {
+        for cloud in clouds() {
+            let (corners, outline) = (hull(cloud.clone()), Outline::around(cloud));
+            for k in 0..400 {
+                let p = 3.0 * Vec2::new(chance(k, 0.618_033_989), chance(k, 0.414_213_562)) - 1.0;
+                let reach = chance(k, 0.732_050_808) - 0.2;
+                let is_near = corners.windows(2).filter(|e| e[0] != e[1]).all(|e| {
+                    let normal = -normalized((e[1] - e[0]).perp());
+                    normal.dot(p) - normal.dot(e[0]) <= reach
+                });
+                assert_eq!(outline.is_within(reach, &[p]), is_near);
+            }
+        }
+    }
+
+    #[test]
+    fn a_point_is_its_own_outline() {
+        let point = Vec2::new(0.3, -2.0);
+        let outline = Outline::around(vec![point; 5]);
+        assert_eq!((outline.low, outline.high), (point, point));
+    }
 }
