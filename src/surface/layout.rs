@@ -154,7 +154,7 @@ impl<'a> Layout<'a> {
     }
 
     fn outline_of(&self, own: usize) -> Outline {
-        Outline::around(self.images[..own].iter().flat_map(Image::corners).collect())
+        Outline::around(self.images[..own].iter().flat_map(Image::corners))
     }
 
     /// Unfolds the own triangles from `home` on, and leaves the portals that lead out of them.

@@ -16,8 +16,7 @@ pub struct Outline {
 }
 
 impl Outline {
-    pub(super) fn around(mut points: Vec<Vec2>) -> Outline {
-        leave_out_inner(&mut points);
+    pub(super) fn around(points: impl Iterator<Item = Vec2>) -> Outline {
         let corners = hull(points);
         let edges = corners.windows(2).filter(|pair| pair[0] != pair[1]).map(|pair| {
             let normal = -normalized((pair[1] - pair[0]).perp());
@@ -51,9 +50,15 @@ impl Outline {
 
 /// The corners of the convex hull, the first again at the end (A. M. Andrew, Another efficient algorithm
 /// for convex hulls in two dimensions, Information Processing Letters 9, 1979).
-fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
-    points.sort_unstable_by_key(|p| u64::from(ordinal(p.x)) << 32 | u64::from(ordinal(p.y)));
-    points.dedup();
+fn hull(points: impl Iterator<Item = Vec2>) -> Vec<Vec2> {
+    let from_left = |p: Vec2| u64::from(ordinal(p.x)) << 32 | u64::from(ordinal(p.y));
+    let mut numbers: Vec<u64> = points.map(from_left).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    let points: Vec<Vec2> = numbers
+        .into_iter()
+        .map(|number| Vec2::new(number_of((number >> 32) as u32), number_of(number as u32)))
+        .collect();
     let mut hull: Vec<Vec2> = Vec::new();
     for pass in 0..2 {
         let done = hull.len() + 1 - pass;
@@ -71,39 +76,6 @@ fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
     hull
 }
 
-/// Leaves most points out that cannot be corners of the convex hull: those well within the polygon of
-/// the farthest ones in eight directions (S. G. Akl, G. T. Toussaint, A fast convex hull algorithm,
-/// Information Processing Letters 7, 1978).
-fn leave_out_inner(points: &mut Vec<Vec2>) {
-    let Some(&first) = points.first() else { return };
-    // An eighth of a turn apart, and then the four against them.
-    let along = |p: Vec2| f32x4::new([p.x, p.x + p.y, p.y, p.y - p.x]);
-    let mut farthest = [[f32x4::splat(first.x), f32x4::splat(first.y), along(first)]; 2];
-    for &p in &*points {
-        let here = [f32x4::splat(p.x), f32x4::splat(p.y), along(p)];
-        let is_farther = [here[2].simd_gt(farthest[0][2]), here[2].simd_lt(farthest[1][2])];
-        for (known, is_farther) in farthest.iter_mut().zip(is_farther) {
-            *known = std::array::from_fn(|k| is_farther.select(here[k], known[k]));
-        }
-    }
-    let [x, y]: [[f32; 8]; 2] = [0, 1].map(|k| bytemuck::cast(farthest.map(|known| known[k])));
-    if x == [x[0]; 8] && y == [y[0]; 8] {
-        return;
-    }
-    let side = |k: usize| {
-        let [from, to] = [k, (k + 1) % 8].map(|k| Vec2::new(x[k], y[k]));
-        let inwards = (to - from).perp();
-        // Rounding must not decide. Where the side is a point, it decides nothing.
-        let least = inwards.dot(from) + 1e-3 * inwards.length_squared();
-        [inwards.x, inwards.y, if from == to { f32::NEG_INFINITY } else { least }]
-    };
-    let sides = [0, 4].map(|first| columns(|k| side(first + k)));
-    points.retain(|&p| {
-        let out = sides.map(|[x, y, least]| (x * p.x + y * p.y).simd_le(least));
-        (out[0] | out[1]).any()
-    });
-}
-
 /// Three columns of four rows.
 fn columns(row: impl Fn(usize) -> [f32; 3]) -> [f32x4; 3] {
     let rows: [[f32; 3]; 4] = std::array::from_fn(row);
@@ -114,6 +86,11 @@ fn columns(row: impl Fn(usize) -> [f32; 3]) -> [f32x4; 3] {
 fn ordinal(number: f32) -> u32 {
     let bits = number.to_bits();
     if number.is_sign_negative() { !bits } else { bits | 1 << 31 }
+}
+
+/// The number of an ordinal.
+fn number_of(ordinal: u32) -> f32 {
+    f32::from_bits(if ordinal >> 31 == 0 { !ordinal } else { ordinal & !(1 << 31) })
 }
 
 #[cfg(test)]
@@ -143,21 +120,24 @@ mod tests {
     }
 
     #[test]
-    fn the_hull_is_that_of_all_points() {
-        let mut left_out = 0;
+    fn a_hull_holds_all_points_and_turns_left_at_each_of_its_corners() {
         for cloud in clouds() {
-            let mut some = cloud.clone();
-            leave_out_inner(&mut some);
-            left_out += cloud.len() - some.len();
-            assert_eq!(hull(some), hull(cloud));
+            let corners = hull(cloud.iter().copied());
+            assert_eq!(corners.first(), corners.last());
+            let leftness = |e: &[Vec2], p: Vec2| (e[1] - e[0]).perp_dot(p - e[1]);
+            for edge in corners.windows(2) {
+                assert!(cloud.contains(&edge[0]));
+                assert!(cloud.iter().all(|&p| leftness(edge, p) > -1e-6), "{corners:?}");
+            }
+            assert!(corners.windows(3).all(|three| leftness(three, three[2]) > 0.0));
         }
-        assert!(left_out > 3000, "only {left_out} of 4880 points were left out");
     }
 
     #[test]
     fn what_lies_within_reach_of_all_edges_is_near() {
         for cloud in clouds() {
-            let (corners, outline) = (hull(cloud.clone()), Outline::around(cloud));
+            let (corners, outline) =
+                (hull(cloud.iter().copied()), Outline::around(cloud.into_iter()));
             for k in 0..400 {
                 let p = 3.0 * Vec2::new(chance(k, 0.618_033_989), chance(k, 0.414_213_562)) - 1.0;
                 let reach = chance(k, 0.732_050_808) - 0.2;
@@ -173,7 +153,7 @@ mod tests {
     #[test]
     fn a_point_is_its_own_outline() {
         let point = Vec2::new(0.3, -2.0);
-        let outline = Outline::around(vec![point; 5]);
+        let outline = Outline::around([point; 5].into_iter());
         assert_eq!((outline.low, outline.high), (point, point));
     }
 }
