@@ -2,12 +2,13 @@
 //! curvature leaves between them.
 
 use super::chart::{Image, image};
-use super::lengths::{distance, normalized, normalized_or};
+use super::lengths::{distance, normalized};
 use super::outline::Outline;
 use super::{Mesh, NO_TWIN};
 use glam::Vec2;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use wide::f32x4;
 
 /// How well a patch lies in the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,6 +67,9 @@ impl Waiting {
     }
 }
 
+/// Triangles that are fitted side by side.
+const LANES: usize = 4;
+
 /// No image of a triangle.
 const NONE: u32 = u32::MAX;
 
@@ -80,8 +84,8 @@ pub(super) struct Layout<'a> {
     image_of: Vec<u32>,
     is_own: Vec<bool>,
     corners: Vec<Corner>,
-    /// For each image those of its triangle's corners.
-    arms: Vec<[Arm; 3]>,
+    /// For each four images those of their triangles' corners.
+    arms: Vec<[Arms; 3]>,
     /// For each vertex of the mesh its index in `corners`, if it has one.
     corner_of: Vec<u32>,
     centre: Vec2,
@@ -196,17 +200,10 @@ impl<'a> Layout<'a> {
 
     /// Unfolds the triangle behind a portal, if it is not there already.
     fn enter(&mut self, portal: Portal, goes_on: impl Fn(&Self, &[Vec2; 2]) -> bool) {
-        let (triangle, entered) = (portal.twin / 3, portal.twin as usize % 3);
-        if let Some(known) = self.images.get(self.image_of[triangle as usize] as usize) {
-            // The edge runs the other way seen from this side.
-            let (corners, widest) = (known.corners(), (WIDEST_GAP * self.reach).powi(2));
-            let gaps = [
-                corners[(entered + 1) % 3].distance_squared(portal.left),
-                corners[(entered + 2) % 3].distance_squared(portal.right),
-            ];
-            self.is_torn |= gaps.iter().any(|&gap| gap > widest);
+        if self.meets_known(&portal) {
             return;
         }
+        let (triangle, entered) = (portal.twin / 3, portal.twin as usize % 3);
         let corners = unfold(self.mesh, portal.twin as usize, portal.left, portal.right);
         self.place(triangle, corners);
         for k in [(entered + 1) % 3, (entered + 2) % 3] {
@@ -214,6 +211,23 @@ impl<'a> Layout<'a> {
                 self.push(3 * triangle + k as u32, &corners);
             }
         }
+    }
+
+    /// Whether the triangle behind a portal is there already; then also finds out whether it lies far
+    /// from the portal.
+    fn meets_known(&mut self, portal: &Portal) -> bool {
+        let (triangle, entered) = (portal.twin / 3, portal.twin as usize % 3);
+        let Some(known) = self.images.get(self.image_of[triangle as usize] as usize) else {
+            return false;
+        };
+        // The edge runs the other way seen from this side.
+        let (corners, widest) = (known.corners(), (WIDEST_GAP * self.reach).powi(2));
+        let gaps = [
+            corners[(entered + 1) % 3].distance_squared(portal.left),
+            corners[(entered + 2) % 3].distance_squared(portal.right),
+        ];
+        self.is_torn |= gaps.iter().any(|&gap| gap > widest);
+        true
     }
 
     fn place(&mut self, triangle: u32, corners: [Vec2; 3]) {
@@ -227,10 +241,13 @@ impl<'a> Layout<'a> {
             return;
         }
         let k = half_edge as usize % 3;
-        let (right, left) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);
-        let distance_squared = self.centre.distance_squared(0.5 * (left + right));
+        let portal = Portal { twin, left: corners[(k + 2) % 3], right: corners[(k + 1) % 3] };
+        if self.meets_known(&portal) {
+            return;
+        }
+        let distance_squared = self.centre.distance_squared(0.5 * (portal.left + portal.right));
         self.waiting.push(Reverse(Waiting::new(distance_squared, self.portals.len())));
-        self.portals.push(Portal { twin, left, right });
+        self.portals.push(portal);
     }
 
     /// Closes the gaps between the images: their corners meet, and each triangle keeps its shape as
@@ -239,44 +256,73 @@ impl<'a> Layout<'a> {
     fn fit_together(&mut self) {
         self.corners.clear();
         self.arms.clear();
-        for image in &self.images {
-            let vertices = self.mesh.triangles[image.triangle as usize];
-            let corners = image.corners();
-            let shape = self.mesh.frames[image.triangle as usize].corners();
-            let centroid = (shape[1] + shape[2]) / 3.0;
-            self.arms.push(std::array::from_fn(|k| {
-                let known = self.corner_of[vertices[k] as usize] as usize;
-                let corner = match self.corners.get(known) {
-                    Some(c) if c.vertex == vertices[k] => known,
-                    _ => {
-                        self.corner_of[vertices[k] as usize] = self.corners.len() as u32;
-                        self.corners.push(Corner { vertex: vertices[k], ..Corner::default() });
-                        self.corners.len() - 1
-                    }
-                };
-                self.corners[corner].wish(corners[k]);
-                Arm { corner: corner as u32, from_centroid: shape[k] - centroid }
-            }));
+        for images in self.images.chunks(LANES) {
+            let mut arms = [Arms::default(); 3];
+            for (lane, image) in images.iter().enumerate() {
+                let vertices = self.mesh.triangles[image.triangle as usize];
+                let corners = image.corners();
+                let shape = self.mesh.frames[image.triangle as usize].corners();
+                let centroid = (shape[1] + shape[2]) / 3.0;
+                for (k, arm) in arms.iter_mut().enumerate() {
+                    let known = self.corner_of[vertices[k] as usize] as usize;
+                    let corner = match self.corners.get(known) {
+                        Some(c) if c.vertex == vertices[k] => known,
+                        _ => {
+                            self.corner_of[vertices[k] as usize] = self.corners.len() as u32;
+                            self.corners.push(Corner { vertex: vertices[k], ..Corner::default() });
+                            self.corners.len() - 1
+                        }
+                    };
+                    self.corners[corner].wish(corners[k]);
+                    arm.corners[lane] = corner as u32;
+                    let from_centroid = shape[k] - centroid;
+                    arm.x.as_mut_array()[lane] = from_centroid.x;
+                    arm.y.as_mut_array()[lane] = from_centroid.y;
+                }
+            }
+            self.arms.push(arms);
         }
         for _ in 0..FITTING_ROUNDS {
             self.corners.iter_mut().for_each(Corner::settle);
+            let mut images = self.images.len();
             for arms in &self.arms {
-                let now = arms.map(|arm| self.corners[arm.corner as usize].at);
-                let middle = (now[0] + now[1] + now[2]) / 3.0;
-                // The rotation that fits best, as a complex number.
-                let turn = arms.iter().zip(now).fold(Vec2::ZERO, |sum, (arm, now)| {
-                    let (arm, wanted) = (arm.from_centroid, now - middle);
-                    sum + Vec2::new(arm.dot(wanted), arm.perp_dot(wanted))
+                let now = arms.map(|arm| {
+                    let at = arm.corners.map(|corner| self.corners[corner as usize].at);
+                    (f32x4::new(at.map(|at| at.x)), f32x4::new(at.map(|at| at.y)))
                 });
-                let turn = normalized_or(turn, Vec2::X);
-                for arm in arms {
-                    self.corners[arm.corner as usize].wish(middle + turn.rotate(arm.from_centroid));
+                let middle = |[a, b, c]: [f32x4; 3]| (a + b + c) / f32x4::splat(3.0);
+                let middle = (middle(now.map(|at| at.0)), middle(now.map(|at| at.1)));
+                // The rotation that fits best, as a complex number.
+                let (mut cos, mut sin) = (f32x4::ZERO, f32x4::ZERO);
+                for (arm, now) in arms.iter().zip(now) {
+                    let (x, y) = (now.0 - middle.0, now.1 - middle.1);
+                    cos += arm.x * x + arm.y * y;
+                    sin += arm.x * y - arm.y * x;
                 }
+                let per_length = f32x4::ONE / (cos * cos + sin * sin).sqrt();
+                let turns = per_length.is_finite() & per_length.simd_gt(f32x4::ZERO);
+                let cos = turns.select(cos * per_length, f32x4::ONE);
+                let sin = turns & (sin * per_length);
+                let wished = arms.map(|arm| {
+                    let x = middle.0 + (cos * arm.x - sin * arm.y);
+                    let y = middle.1 + (sin * arm.x + cos * arm.y);
+                    (x.to_array(), y.to_array())
+                });
+                for lane in 0..images.min(LANES) {
+                    for (arm, (x, y)) in arms.iter().zip(&wished) {
+                        let corner = arm.corners[lane] as usize;
+                        self.corners[corner].wish(Vec2::new(x[lane], y[lane]));
+                    }
+                }
+                images = images.saturating_sub(LANES);
             }
         }
         self.corners.iter_mut().for_each(Corner::settle);
-        for (known, arms) in self.images.iter_mut().zip(&self.arms) {
-            let corners = arms.map(|arm| self.corners[arm.corner as usize].at);
+        for (k, known) in self.images.iter_mut().enumerate() {
+            let arms = &self.arms[k / LANES];
+            let corners = std::array::from_fn(|corner| {
+                self.corners[arms[corner].corners[k % LANES] as usize].at
+            });
             *known = image(known.triangle, 0.0, corners);
         }
     }
@@ -314,12 +360,13 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// A corner of a triangle, seen from its centroid in its own frame.
-#[derive(Clone, Copy, Debug)]
-struct Arm {
-    /// Its index in `corners`.
-    corner: u32,
-    from_centroid: Vec2,
+/// A corner of each of four triangles, seen from their centroids in their own frames.
+#[derive(Clone, Copy, Debug, Default)]
+struct Arms {
+    /// Their indices in `corners`.
+    corners: [u32; LANES],
+    x: f32x4,
+    y: f32x4,
 }
 
 /// Where triangles of a patch meet.

@@ -18,13 +18,6 @@ pub fn normalized(v: Vec2) -> Vec2 {
     v * (1.0 / length(v))
 }
 
-/// The direction of a vector, or another where it has none.
-#[inline]
-pub fn normalized_or(v: Vec2, other: Vec2) -> Vec2 {
-    let per_length = 1.0 / length(v);
-    if per_length.is_finite() && per_length > 0.0 { v * per_length } else { other }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -36,10 +29,6 @@ mod tests {
             assert_eq!(length(a), a.length());
             assert_eq!(distance(a, b), a.distance(b));
             assert_eq!(normalized(a), a.normalize());
-            assert_eq!(normalized_or(a, b), a.normalize_or(b));
-        }
-        for a in [Vec2::ZERO, Vec2::NAN, Vec2::INFINITY, Vec2::splat(1e-30), Vec2::splat(1e30)] {
-            assert_eq!(normalized_or(a, Vec2::Y), a.normalize_or(Vec2::Y));
         }
     }
 }

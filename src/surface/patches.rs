@@ -72,13 +72,15 @@ struct Cutter<'a> {
 
 impl Cutter<'_> {
     fn cut(&mut self, piece: Range<usize>) {
-        let connected = self.sort_by_steps(piece.clone());
-        if connected < piece.len() {
-            let middle = piece.start + connected;
-            self.cut(piece.start..middle);
+        let middle = piece.start + self.sort_by_steps(piece.clone());
+        self.cut_sorted(piece.start..middle);
+        if middle < piece.end {
             self.cut(middle..piece.end);
-            return;
         }
+    }
+
+    /// Cuts a piece that is connected and sorted by steps.
+    fn cut_sorted(&mut self, piece: Range<usize>) {
         let own = &self.result.order[piece.clone()];
         let area: f32 = own.iter().map(|&t| self.mesh.areas[t as usize]).sum();
         if own.len() == 1 || area <= self.area {
@@ -104,7 +106,8 @@ impl Cutter<'_> {
             rest >= 0.0
         });
         let middle = piece.start + before_half.count().clamp(1, piece.len() - 1);
-        self.cut(piece.start..middle);
+        // As far as the middle they stay as they are.
+        self.cut_sorted(piece.start..middle);
         self.cut(middle..piece.end);
     }
 

@@ -53,21 +53,36 @@ pub fn pick(row: &[f64; 3], u: f64) -> usize {
     }
 }
 
-/// The whole number of a Poisson distribution whose share of `0..1` holds `u`. `mean` is over 0 and
-/// at most 500 (where `exp(-mean)` is still far above the smallest f64). Of our own and no library's
-/// sampler: its draws may never change, or old links would lie.
-pub fn poisson(mean: f64, u: f64) -> u32 {
-    // Beyond this the terms no longer change the sum.
-    let last = (mean + 12.0 * libm::sqrt(mean) + 30.0) as u32;
-    let mut term = libm::exp(-mean);
-    let mut sum = term;
-    let mut number = 0;
-    while sum <= u && number <= last {
-        number += 1;
-        term *= mean / f64::from(number);
-        sum += term;
+/// Poisson distributions. Of our own and no library's sampler: its draws may never change, or old links
+/// would lie.
+#[derive(Clone, Debug, Default)]
+pub struct Poisson {
+    /// Of the distribution drawn from last, over 0 and at most 500 (where `exp(-mean)` is still far above
+    /// the smallest f64).
+    mean: f64,
+    /// The chances of each number from 0 on and of all up to it, as far as they have been needed.
+    chances: Vec<[f64; 2]>,
+}
+
+impl Poisson {
+    /// The whole number whose share of `0..1` holds `u`.
+    pub fn draw(&mut self, mean: f64, u: f64) -> u32 {
+        if mean != self.mean {
+            self.mean = mean;
+            self.chances.clear();
+            self.chances.push([libm::exp(-mean); 2]);
+        }
+        // Beyond this they no longer change the sum.
+        let last = (mean + 12.0 * libm::sqrt(mean) + 30.0) as usize;
+        while let Some(&[chance, up_to]) = self.chances.last()
+            && up_to <= u
+            && self.chances.len() <= last
+        {
+            let chance = chance * (mean / self.chances.len() as f64);
+            self.chances.push([chance, up_to + chance]);
+        }
+        self.chances.partition_point(|&[_, up_to]| up_to <= u) as u32
     }
-    number
 }
 
 /// The time of an exponential distribution before which a share `u` of `0..1` falls.

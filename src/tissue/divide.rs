@@ -1,7 +1,7 @@
 //! Division: when a cell divides, where its child appears and of what type it is
 //! (Thesis 3.2.1.2).
 
-use super::chance::{Purpose, draw, exponential, founder_key, pick, poisson, uniform};
+use super::chance::{Poisson, Purpose, draw, exponential, founder_key, pick, uniform};
 use super::ground::Ground;
 use super::{CellType, Clock, Control, Lineage, Recipe, Scaled};
 use crate::surface::{Mesh, Place, walk};
@@ -27,6 +27,8 @@ pub struct Clocks {
     turns: Vec<u32>,
     /// For each day those that fall due on it, the first one first.
     due: Vec<BinaryHeap<Reverse<Due>>>,
+    /// What the times between the divisions of each type of cell are drawn from.
+    waits: [Poisson; 3],
     /// Divisions that have been told so far.
     told: u32,
 }
@@ -47,6 +49,7 @@ impl Clocks {
             keys: (0..founders.len() as u32).map(|f| founder_key(seed, f)).collect(),
             turns: vec![0; founders.len()],
             due: vec![BinaryHeap::new(); setting.recipe.days as usize],
+            waits: Default::default(),
             told: 0,
         };
         for (cell, (founder, &place)) in founders.iter().zip(places).enumerate() {
@@ -79,7 +82,7 @@ impl Clocks {
         let u = uniform(key, turn, Purpose::Clock);
         let mean = setting.division_days(kind, place);
         let wait = match setting.recipe.clock {
-            Clock::Poisson => f64::from(poisson(mean, u)),
+            Clock::Poisson => f64::from(self.waits[kind as usize].draw(mean, u)),
             Clock::Exponential => exponential(mean, u),
         };
         self.note(Due { time: (now + wait).to_bits(), told: self.told, cell });

@@ -14,6 +14,13 @@ use wide::{f32x4, u32x4};
 /// cells.
 const BOXES_PER_LOOK: usize = 3;
 
+/// Boxes of a row that a cell looks into: its own and those on both sides.
+const BOXES_IN_WINDOW: usize = 2 * BOXES_PER_LOOK + 1;
+
+/// Where the look is as long as this many mean spacings, cells leave out the boxes of the farther row that
+/// the circle around them does not reach: to find those out is worth it where they hold many cells.
+const CROWDED_SPACINGS: f32 = 1.7;
+
 /// The cells in and around one patch. All columns end with spare rows.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Near {
@@ -28,6 +35,9 @@ pub(super) struct Near {
     slot_of: Vec<u32>,
     first_bin_of: Vec<u32>,
     window_of: Vec<u32>,
+    /// Which of the boxes they look into they see, if they are `crowded`.
+    seen_of: Vec<u32>,
+    crowded: bool,
     /// In the order of their boxes.
     pub(super) x: Vec<f32>,
     pub(super) y: Vec<f32>,
@@ -63,17 +73,22 @@ impl Near {
         ] {
             column.resize(rows, 0.0);
         }
-        for column in
-            [&mut self.box_of, &mut self.slot_of, &mut self.first_bin_of, &mut self.window_of]
-        {
+        for column in [
+            &mut self.box_of,
+            &mut self.slot_of,
+            &mut self.first_bin_of,
+            &mut self.window_of,
+            &mut self.seen_of,
+        ] {
             column.resize(rows, 0);
         }
     }
 
     /// Begins anew, with boxes over the part of the plane from `low` to `high`: it holds all cells
     /// that will be unfolded, and `look_cm` and more around each that `windows` will be asked for.
-    pub(super) fn begin(&mut self, low: Vec2, high: Vec2, look_cm: f32) {
+    pub(super) fn begin(&mut self, low: Vec2, high: Vec2, look_cm: f32, spacing_cm: f32) {
         self.len = 0;
+        self.crowded = look_cm > CROWDED_SPACINGS * spacing_cm;
         self.low = low;
         self.per_cm = Vec2::new(BOXES_PER_LOOK as f32, 0.5) / look_cm;
         let size = (high - low) * self.per_cm;
@@ -131,7 +146,8 @@ impl Near {
         let (per_x, per_y) = (f32x4::splat(self.per_cm.x), f32x4::splat(self.per_cm.y));
         let row_length = f32x4::splat(self.columns as f32);
         for k in (0..self.len).step_by(LANES) {
-            let column = whole((lanes(&self.unsorted.x, k) - low_x) * per_x);
+            let columns = (lanes(&self.unsorted.x, k) - low_x) * per_x;
+            let column = whole(columns);
             let rows = (lanes(&self.unsorted.y, k) - low_y) * per_y;
             let box_of = integers(whole(rows) * row_length + column);
             *lanes_mut(&mut self.box_of, k) = box_of.to_array();
@@ -140,6 +156,10 @@ impl Near {
                 let left = column - f32x4::splat(BOXES_PER_LOOK as f32);
                 let window = integers(lower_row * row_length + left);
                 *lanes_mut(&mut self.window_of, k) = window.to_array();
+                if self.crowded {
+                    let seen = seen_boxes(columns - left, rows - lower_row);
+                    *lanes_mut(&mut self.seen_of, k) = seen.to_array();
+                }
             }
         }
     }
@@ -179,9 +199,92 @@ impl Near {
     /// The cells that may be within `look_cm` of the patch's own `k`-th cell, in two runs.
     #[inline]
     pub(super) fn windows(&self, k: usize) -> [Range<u32>; 2] {
-        let first = self.window_of[k] as usize;
+        let lower = self.window_of[k] as usize;
+        let upper = lower + self.columns;
         let starts = &self.sorting.starts;
-        let window = |first: usize| starts[first]..starts[first + 2 * BOXES_PER_LOOK + 1];
-        [window(first), window(first + self.columns)]
+        if !self.crowded {
+            return [lower, upper].map(|first| starts[first]..starts[first + BOXES_IN_WINDOW]);
+        }
+        let seen = self.seen_of[k] as usize;
+        let window = |first: usize, seen: usize| {
+            let start = starts[first];
+            // Only whole fours, so that the others stay in their lanes.
+            let left_out = (starts[first + seen % 8] - start) & !(LANES as u32 - 1);
+            start + left_out..starts[first + seen / 8 % 8]
+        };
+        [window(lower, seen), window(upper, seen / 64)]
+    }
+}
+
+/// Which boxes of the two rows of its window a cell sees: for the lower row the first and the one behind
+/// the last, and for the upper row the same, three bits each. `x`, in boxes, and `y`, in rows, are where
+/// the cell lies in its window.
+#[inline]
+fn seen_boxes(x: f32x4, y: f32x4) -> u32x4 {
+    // So that no rounding leaves a cell out, in boxes.
+    const SPARE: f32 = 0.01;
+    let [look, eight] = [BOXES_PER_LOOK as f32, 8.0].map(f32x4::splat);
+    // Above the border between the rows, in looks; the border cuts this off the circle of the look.
+    let above = (y - f32x4::ONE) * f32x4::splat(2.0);
+    let chord = look * (f32x4::ONE - above * above).fast_max(f32x4::ZERO).sqrt();
+    let is_lower = above.simd_lt(f32x4::ZERO);
+    let seen = |half_width: f32x4| {
+        let half_width = half_width + f32x4::splat(SPARE);
+        let last = whole(x + half_width).fast_min(look + look);
+        whole(x - half_width) + eight * (last + f32x4::ONE)
+    };
+    let (lower, upper) = (is_lower.select(look, chord), is_lower.select(chord, look));
+    integers(seen(lower) + eight * eight * seen(upper))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn crowded_cells_see_all_within_their_look_in_the_lanes_that_they_had() {
+        const CELLS: usize = 3000;
+        // Places that look like chance (a Weyl sequence), in a square of one centimetre.
+        let place = |k: usize, step: f64| (k as f64 * step).fract() as f32;
+        let rows: Vec<[f32; 4]> = (0..CELLS + LANES)
+            .map(|k| [place(k, 0.754_877_666), place(k, 0.569_840_291), 0.0, 0.0])
+            .collect();
+        let image = Image {
+            triangle: 0,
+            distance: 0.0,
+            origin: Vec2::ZERO,
+            edge1: Vec2::X,
+            edge2: Vec2::Y,
+        };
+        let spacing_cm = (CELLS as f32).sqrt().recip();
+        for looks in [2.0, 3.0, 4.5, 8.0] {
+            let look_cm = looks * spacing_cm;
+            let margin = Vec2::splat(1.5 * look_cm);
+            let near = |spacing_cm: f32| {
+                let mut near = Near::default();
+                near.reserve(CELLS);
+                near.begin(-margin, Vec2::ONE + margin, look_cm, spacing_cm);
+                near.unfold_own(bytemuck::cast_slice(&rows), &image, 0..CELLS, 0, 0);
+                near.sort();
+                near
+            };
+            let (some, all) = (near(spacing_cm), near(look_cm));
+            let (mut seen, mut there) = (0, 0);
+            for k in 0..CELLS {
+                let (at, within) = (some.at(k), some.windows(k));
+                for (window, whole) in within.iter().zip(all.windows(k)) {
+                    assert!(whole.start <= window.start && window.end <= whole.end);
+                    assert_eq!((window.start - whole.start) % LANES as u32, 0);
+                    (seen, there) = (seen + window.len(), there + whole.len());
+                }
+                for other in 0..CELLS {
+                    let place = Vec2::new(some.x[other], some.y[other]);
+                    let is_near = at.distance(place) <= look_cm;
+                    let is_seen = within.iter().any(|window| window.contains(&(other as u32)));
+                    assert!(is_seen || !is_near, "cell {other} from cell {k}");
+                }
+            }
+            assert!(seen < there * 98 / 100, "{seen} of {there} pairs are looked at");
+        }
     }
 }

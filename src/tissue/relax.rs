@@ -98,6 +98,7 @@ impl Crowd {
     /// is of the reach that the cells were gathered with. With a course, each displacement is turned
     /// along its direction field.
     pub fn relax(&mut self, mesh: &Mesh, ground: &Ground, course: Option<&Course>) {
+        let spacing_cm = (mesh.area / self.cells as f32).sqrt();
         let look_cm = look_cm(mesh, self.cells, ground.reach_cm());
         for p in 0..self.plan.patches.len() {
             let patch = self.plan.patches[p].clone();
@@ -105,7 +106,7 @@ impl Crowd {
             if own.is_empty() {
                 continue;
             }
-            self.unfold(&patch, look_cm);
+            self.unfold(&patch, look_cm, spacing_cm);
             self.near.sort();
             // On even ground a whole patch at once.
             let alike = if let Ground::Even(_) = ground { patch.own.len() } else { 1 };
@@ -174,8 +175,8 @@ impl Crowd {
     }
 
     /// Lays the cells in and around a patch down in its plane, its own first.
-    fn unfold(&mut self, patch: &Neighbourhood, look_cm: f32) {
-        self.near.begin(patch.low, patch.high, look_cm);
+    fn unfold(&mut self, patch: &Neighbourhood, look_cm: f32, spacing_cm: f32) {
+        self.near.begin(patch.low, patch.high, look_cm, spacing_cm);
         for slot in patch.own.clone() {
             let bins = self.plan.bins.of(slot);
             let (image, rows) = (&self.plan.own[slot].image, self.rows_of(bins.clone()));
