@@ -106,3 +106,31 @@ impl Hash {
         mix(self.0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn draws_hold_their_shares_whatever_was_drawn_before() {
+        let mut poisson = Poisson::default();
+        for turn in 0..2000 {
+            let mean = [3.0, 10.0, 60.0, 500.0][turn as usize % 4];
+            let u = uniform(7, turn, Purpose::Clock);
+            let number = poisson.draw(mean, u);
+            // The sum of the chances up to a number, from the logarithms of its terms.
+            let up_to = |number: u32| {
+                let chance = |n: u32| {
+                    let n = f64::from(n);
+                    libm::exp(n * libm::log(mean) - mean - libm::lgamma(n + 1.0))
+                };
+                (0..number).map(chance).sum::<f64>()
+            };
+            assert!(up_to(number) <= u + 1e-9, "{number} of mean {mean} for {u}");
+            assert!(u <= up_to(number + 1) + 1e-9, "{number} of mean {mean} for {u}");
+        }
+        let mut fresh = Poisson::default();
+        let ends = [0.0, 1.0 - f64::EPSILON].map(|u| (poisson.draw(3.0, u), fresh.draw(3.0, u)));
+        assert!(ends.iter().all(|(one, other)| one == other) && ends[0].0 == 0);
+    }
+}

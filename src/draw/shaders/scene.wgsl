@@ -124,6 +124,17 @@ fn fresnel(cosine: f32, most: f32) -> f32 {
     return 0.04 + (most - 0.04) * off2 * off2 * off;
 }
 
+// Share of the light from all around that comes to a surface, with what its surroundings, taken to be of
+// its own colour, pass on to it (Jimenez and others, Practical Real-Time Strategies for Accurate Indirect
+// Occlusion, SIGGRAPH 2016 courses, equation 14).
+fn around(surface: Surface) -> vec3f {
+    let open = vec3f(surface.openness);
+    let cubic = 2.0404 * surface.colour - 0.3324;
+    let square = 0.6417 - 4.7951 * surface.colour;
+    let linear = 2.7552 * surface.colour + 0.6903;
+    return max(open, ((open * cubic + square) * open + linear) * open);
+}
+
 // The light that a surface sends to the eye.
 fn shade(surface: Surface) -> vec3f {
     let normal = surface.normal;
@@ -143,8 +154,8 @@ fn shade(surface: Surface) -> vec3f {
     let fill_lamp = normalize(view + vec3f(0.0, 0.35, 0.0));
     let fill = max(dot(normal, fill_lamp) + 0.3, 0.0) / 1.3;
     let soil = mix(SOIL, DARK_SOIL, scene.tissue.w);
-    let ambient = mix(soil, SKY, 0.5 + 0.5 * normal.y) * surface.openness;
-    let diffuse = surface.colour * (KEY * lit * max(n_key, 0.0) + ambient + FILL * fill * surface.openness)
+    let ambient = mix(soil, SKY, 0.5 + 0.5 * normal.y);
+    let diffuse = surface.colour * (KEY * lit * max(n_key, 0.0) + (ambient + FILL * fill) * around(surface))
         + surface.colour * sqrt(surface.colour) * KEY * lit * through;
 
     let roughness = mix(0.78, 0.14, surface.gloss);
