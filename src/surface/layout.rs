@@ -2,13 +2,13 @@
 //! curvature leaves between them.
 
 use super::chart::{Image, image};
+use super::fitting::Fitting;
 use super::lengths::{distance, normalized};
 use super::outline::Outline;
 use super::{Mesh, NO_TWIN};
 use glam::Vec2;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use wide::f32x4;
 
 /// How well a patch lies in the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,10 +31,6 @@ pub(super) struct Stretch {
     pub(super) mean: f32,
     pub(super) most: f32,
 }
-
-/// Rounds in which triangles of a patch are fitted together. The gaps that unfolding leaves spread over
-/// about the square root of so many triangles.
-const FITTING_ROUNDS: usize = 6;
 
 /// Neighbours that lie farther apart than this share of the reach are no neighbours in the plane: the
 /// patch reaches around a narrow body, or over a sharp tip.
@@ -67,9 +63,6 @@ impl Waiting {
     }
 }
 
-/// Triangles that are fitted side by side.
-const LANES: usize = 4;
-
 /// No image of a triangle.
 const NONE: u32 = u32::MAX;
 
@@ -83,11 +76,7 @@ pub(super) struct Layout<'a> {
     /// For each triangle its index in `images`, or `NONE`.
     image_of: Vec<u32>,
     is_own: Vec<bool>,
-    corners: Vec<Corner>,
-    /// For each four images those of their triangles' corners.
-    arms: Vec<[Arms; 3]>,
-    /// For each vertex of the mesh its index in `corners`, if it has one.
-    corner_of: Vec<u32>,
+    fitting: Fitting,
     centre: Vec2,
     portals: Vec<Portal>,
     /// Waiting portals, the nearest to the centre first.
@@ -106,9 +95,7 @@ impl<'a> Layout<'a> {
             outline: Outline::default(),
             image_of: vec![NONE; mesh.triangles.len()],
             is_own: vec![false; mesh.triangles.len()],
-            corners: Vec::new(),
-            arms: Vec::new(),
-            corner_of: vec![NONE; mesh.positions.len()],
+            fitting: Fitting::new(mesh),
             centre: Vec2::ZERO,
             portals: Vec::new(),
             waiting: BinaryHeap::new(),
@@ -143,7 +130,7 @@ impl<'a> Layout<'a> {
         let mut fit = Fit::Torn;
         if !self.is_torn {
             let unfitted = self.images.clone();
-            self.fit_together();
+            self.fitting.fit_together(self.mesh, &mut self.images);
             if self.all_face_up() {
                 self.outline = self.outline_of(own.len());
                 fit = if self.is_flat(own.len()) { Fit::Flat } else { Fit::Bent };
@@ -250,83 +237,6 @@ impl<'a> Layout<'a> {
         self.portals.push(portal);
     }
 
-    /// Closes the gaps between the images: their corners meet, and each triangle keeps its shape as
-    /// well as it can (the local and the global step of O. Sorkine, M. Alexa, As-Rigid-As-Possible
-    /// Surface Modeling, SGP 2007, in the plane).
-    fn fit_together(&mut self) {
-        self.corners.clear();
-        self.arms.clear();
-        for images in self.images.chunks(LANES) {
-            let mut arms = [Arms::default(); 3];
-            for (lane, image) in images.iter().enumerate() {
-                let vertices = self.mesh.triangles[image.triangle as usize];
-                let corners = image.corners();
-                let shape = self.mesh.frames[image.triangle as usize].corners();
-                let centroid = (shape[1] + shape[2]) / 3.0;
-                for (k, arm) in arms.iter_mut().enumerate() {
-                    let known = self.corner_of[vertices[k] as usize] as usize;
-                    let corner = match self.corners.get(known) {
-                        Some(c) if c.vertex == vertices[k] => known,
-                        _ => {
-                            self.corner_of[vertices[k] as usize] = self.corners.len() as u32;
-                            self.corners.push(Corner { vertex: vertices[k], ..Corner::default() });
-                            self.corners.len() - 1
-                        }
-                    };
-                    self.corners[corner].wish(corners[k]);
-                    arm.corners[lane] = corner as u32;
-                    let from_centroid = shape[k] - centroid;
-                    arm.x.as_mut_array()[lane] = from_centroid.x;
-                    arm.y.as_mut_array()[lane] = from_centroid.y;
-                }
-            }
-            self.arms.push(arms);
-        }
-        for _ in 0..FITTING_ROUNDS {
-            self.corners.iter_mut().for_each(Corner::settle);
-            let mut images = self.images.len();
-            for arms in &self.arms {
-                let now = arms.map(|arm| {
-                    let at = arm.corners.map(|corner| self.corners[corner as usize].at);
-                    (f32x4::new(at.map(|at| at.x)), f32x4::new(at.map(|at| at.y)))
-                });
-                let middle = |[a, b, c]: [f32x4; 3]| (a + b + c) / f32x4::splat(3.0);
-                let middle = (middle(now.map(|at| at.0)), middle(now.map(|at| at.1)));
-                // The rotation that fits best, as a complex number.
-                let (mut cos, mut sin) = (f32x4::ZERO, f32x4::ZERO);
-                for (arm, now) in arms.iter().zip(now) {
-                    let (x, y) = (now.0 - middle.0, now.1 - middle.1);
-                    cos += arm.x * x + arm.y * y;
-                    sin += arm.x * y - arm.y * x;
-                }
-                let per_length = f32x4::ONE / (cos * cos + sin * sin).sqrt();
-                let turns = per_length.is_finite() & per_length.simd_gt(f32x4::ZERO);
-                let cos = turns.select(cos * per_length, f32x4::ONE);
-                let sin = turns & (sin * per_length);
-                let wished = arms.map(|arm| {
-                    let x = middle.0 + (cos * arm.x - sin * arm.y);
-                    let y = middle.1 + (sin * arm.x + cos * arm.y);
-                    (x.to_array(), y.to_array())
-                });
-                for lane in 0..images.min(LANES) {
-                    for (arm, (x, y)) in arms.iter().zip(&wished) {
-                        let corner = arm.corners[lane] as usize;
-                        self.corners[corner].wish(Vec2::new(x[lane], y[lane]));
-                    }
-                }
-                images = images.saturating_sub(LANES);
-            }
-        }
-        self.corners.iter_mut().for_each(Corner::settle);
-        for (k, known) in self.images.iter_mut().enumerate() {
-            let arms = &self.arms[k / LANES];
-            let corners = std::array::from_fn(|corner| {
-                self.corners[arms[corner].corners[k % LANES] as usize].at
-            });
-            *known = image(known.triangle, 0.0, corners);
-        }
-    }
-
     /// Whether no triangle lies on its back or nearly on edge.
     fn all_face_up(&self) -> bool {
         self.images.iter().all(|image| {
@@ -357,37 +267,6 @@ impl<'a> Layout<'a> {
             }
         }
         sum <= FLAT.mean * count
-    }
-}
-
-/// A corner of each of four triangles, seen from their centroids in their own frames.
-#[derive(Clone, Copy, Debug, Default)]
-struct Arms {
-    /// Their indices in `corners`.
-    corners: [u32; LANES],
-    x: f32x4,
-    y: f32x4,
-}
-
-/// Where triangles of a patch meet.
-#[derive(Clone, Copy, Debug, Default)]
-struct Corner {
-    vertex: u32,
-    at: Vec2,
-    /// The sum of the places that its triangles wish for it, and their number.
-    wished: Vec2,
-    wishes: f32,
-}
-
-impl Corner {
-    fn wish(&mut self, place: Vec2) {
-        self.wished += place;
-        self.wishes += 1.0;
-    }
-
-    fn settle(&mut self) {
-        self.at = self.wished / self.wishes;
-        (self.wished, self.wishes) = (Vec2::ZERO, 0.0);
     }
 }
 

@@ -4,6 +4,7 @@ mod body;
 mod chart;
 mod cylinder;
 mod field;
+mod fitting;
 mod layout;
 mod lengths;
 mod mesh;
