@@ -19,8 +19,8 @@ use super::surroundings::{Surroundings, is_dark};
 use super::timeline::Timeline;
 use crate::draw::{DrawError, Renderer};
 use crate::plants;
-use crate::play::figures::Figure;
-use crate::play::gallery::{self, asked_figure};
+use crate::play::figures::{Figure, asked_figure};
+use crate::play::gallery;
 use crate::play::page::{Effect, Event, Page};
 use crate::play::parameters::Parameter;
 use crate::play::protocol::BUILD;
@@ -128,7 +128,7 @@ pub fn run(renderer: Renderer) {
 pub fn stay_still(message: &str) {
     with(|app| {
         app.stage.stay_still();
-        app.messages.add(message);
+        app.messages.keep(message);
         app.refresh();
     });
 }
@@ -341,7 +341,7 @@ impl App {
             Ok(None) => {}
             Err(DrawError::TooLarge { .. }) => {
                 self.stage.stay_still();
-                self.messages.add("These cells are more than this graphics card can hold.");
+                self.messages.keep("These cells are more than this graphics card can hold.");
             }
             Err(_) => return self.lose(),
         }
@@ -377,7 +377,7 @@ impl App {
         self.hear(Event::PictureLost);
         if self.losses_ms.len() > MOST_LOSSES {
             self.stage.stay_still();
-            self.messages.add(
+            self.messages.keep(
                 "The graphics card failed several times: here is a still picture. Load the page \
                  again to try once more.",
             );

@@ -146,6 +146,7 @@ impl Gallery {
         view.tell(row);
         let until_ms = now_ms() + DRAW_MS;
         for (k, picture) in view.pictures.iter_mut().enumerate() {
+            set_attribute(&picture.element, "href", format!("#{}", row.link(k)));
             let Some(shown) = row.shown(k) else { continue };
             if picture.drawn == Some((shown.generation, shown.day)) {
                 continue;
@@ -161,7 +162,10 @@ impl Gallery {
             }
             let count = shown.facts.count;
             let shares = words::shares(shown.scene.plant, count);
-            let told = format!("{} cells, {shares}", words::grouped(count.cells));
+            let cells = format!("{} cells, {shares}", words::grouped(count.cells));
+            // What stands above it is true of the picture's own day.
+            let is_own = shown.day == shown.scene.day;
+            let told = if is_own { cells } else { format!("Day {}: {cells}", shown.day) };
             set_text(&picture.told, &told);
         }
         self.state = row.state(|shown, k| {
@@ -175,6 +179,8 @@ impl Drop for Gallery {
     fn drop(&mut self) {
         set_flag(&self.root, "hidden", true);
         show_view(false);
+        // The next key goes on from where the visitor came from.
+        let _ = find::<HtmlElement>("to-figures").focus();
     }
 }
 

@@ -12,29 +12,37 @@ pub struct Messages {
 
 impl Messages {
     pub fn new() -> Messages {
-        let region: HtmlElement = find("messages");
-        let hidden = region.clone();
+        let (region, list): (HtmlElement, Element) = (find("messages"), find("message-list"));
+        let (hidden, cleared) = (region.clone(), list.clone());
         let dismiss = on(&find::<Element>("dismiss"), "click", move |_: Event| {
+            cleared.set_text_content(None);
             set_flag(&hidden, "hidden", true);
         });
-        Messages { region, list: find("message-list"), live: find("live"), _dismiss: dismiss }
+        Messages { region, list, live: find("live"), _dismiss: dismiss }
     }
 
-    /// Shows these messages in the place of older ones; none at all clears the region.
+    /// Shows these messages in the place of older ones, but for those that last.
     pub fn tell(&self, texts: &[String]) {
-        self.list.set_text_content(None);
-        for text in texts {
-            self.add(text);
+        while let Ok(Some(item)) = self.list.query_selector("li:not([data-lasts])") {
+            item.remove();
         }
-        set_flag(&self.region, "hidden", texts.is_empty());
+        for text in texts {
+            self.add(text, false);
+        }
+        set_flag(&self.region, "hidden", self.list.child_element_count() == 0);
     }
 
-    /// Shows one message more.
-    pub fn add(&self, text: &str) {
+    /// Shows one message more, until it is dismissed.
+    pub fn keep(&self, text: &str) {
+        self.add(text, true);
+        set_flag(&self.region, "hidden", false);
+    }
+
+    fn add(&self, text: &str, lasts: bool) {
         if let Ok(item) = document().create_element("li") {
             item.set_text_content(Some(text));
+            set_flag(&item, "data-lasts", lasts);
             let _ = self.list.append_child(&item);
-            set_flag(&self.region, "hidden", false);
         }
     }
 

@@ -40,10 +40,16 @@ impl Timeline {
         listeners.extend(watch_typing(&number));
         let field = number.clone();
         listeners.push(on(&number, "change", move |_: web_sys::Event| {
-            // Without a number the field goes back to the wished day.
-            match typed(&field) {
-                day if day.is_finite() => app::send(Event::Seek(day.round().max(0.0) as u32)),
-                _ => app::repaint(),
+            let (day, last) = (typed(&field), field.max());
+            let is_day = day.fract() == 0.0 && day >= 0.0 && last.parse().is_ok_and(|l| day <= l);
+            // The nearest day there is; without a number the field goes back to the wished one.
+            if day.is_finite() {
+                app::send(Event::Seek(day.round().max(0.0) as u32));
+            } else {
+                app::repaint();
+            }
+            if !is_day {
+                app::tell(&format!("A day is a whole number from 0 to {last}."));
             }
         }));
         for (id, event) in [

@@ -1,8 +1,10 @@
 //! Finds the sites of each triangle's list, day by day.
 
-use super::near::{Home, Near, Picked, SortedCells};
+use super::lookout::Lookout;
+use super::near::{Near, SortedCells};
+use super::picked::{Home, Picked};
 use super::sites::{FARTHEST_STEPS, Head, MOST_TINT, Site, SiteLists, Tag};
-use crate::surface::{Charts, Mesh};
+use crate::surface::{Charts, Frame, Mesh};
 use crate::tissue::{Control, Diary, Rim};
 use glam::Vec2;
 
@@ -13,6 +15,7 @@ pub struct SiteFinder {
     charts: Charts,
     controls: Vec<Control>,
     cells: SortedCells,
+    lookout: Lookout,
     near: Near,
     picked: Picked,
     /// How far from each triangle sites had to be looked for the last time, in mean spacings.
@@ -36,12 +39,16 @@ const FIRST_REACH: f32 = 1.5;
 /// day 1 serve all days. Day 0, for whose picture everybody waits, needs smaller ones.
 const SMALLEST_CHART: f32 = 1.9;
 
+/// Where there are so many triangles to a cell, the cells look out for them.
+const SPARSE: usize = 7;
+
 impl SiteFinder {
     pub fn new(mesh: &Mesh) -> SiteFinder {
         SiteFinder {
             charts: Charts::new(mesh),
             controls: Vec::new(),
             cells: SortedCells::default(),
+            lookout: Lookout::default(),
             near: Near::default(),
             picked: Picked::default(),
             reach: vec![FIRST_REACH; mesh.triangles.len()],
@@ -78,26 +85,77 @@ impl SiteFinder {
         }
         let mut lists =
             SiteLists { heads: Vec::with_capacity(mesh.triangles.len()), sites: Vec::new() };
+        let is_sparse = SPARSE * diary.days[day].places.len() < mesh.triangles.len();
+        if is_sparse {
+            self.look_out(mesh, spacing, room);
+        }
         for (triangle, frame) in mesh.frames.iter().enumerate() {
             let home = Home { frame, rim: Rim::new(frame), size: self.cells.size(triangle) };
-            let mut reach = self.reach[triangle] * spacing;
-            let bound = loop {
-                let radius = reach + self.cells.longest_motion;
-                let chart = if day == 0 { radius } else { radius.max(SMALLEST_CHART * spacing) };
-                let images = self.charts.around(mesh, triangle as u32, chart);
-                self.near.gather(&self.cells, images, &home.rim, radius);
-                let bound = self.near.bound(&self.cells, triangle, frame, spacing) + room;
-                // On a part without cells no reach is enough.
-                if bound <= reach || reach > mesh.area {
-                    break bound;
-                }
-                reach = if bound.is_finite() { bound } else { reach * 2.0 };
+            let bound = if is_sparse {
+                self.seen_bound(triangle, frame, spacing) + room
+            } else {
+                let smallest_chart = if day == 0 { 0.0 } else { SMALLEST_CHART * spacing };
+                self.search(mesh, triangle, &home, smallest_chart, spacing, room)
             };
-            self.reach[triangle] = (bound * 1.05 / spacing).min(8.0);
-            self.near.pick(&mut self.picked, &home, bound, room, spacing);
+            self.picked.pick(&self.near, &home, bound, room, spacing);
             self.write(&home, born_before, &mut lists);
         }
         lists
+    }
+
+    /// Gathers the sites around a triangle; within how far of it those of its list lie.
+    fn search(
+        &mut self,
+        mesh: &Mesh,
+        triangle: usize,
+        home: &Home,
+        smallest_chart: f32,
+        spacing: f32,
+        room: f32,
+    ) -> f32 {
+        let mut reach = self.reach[triangle] * spacing;
+        let bound = loop {
+            let radius = reach + self.cells.longest_motion;
+            let images = self.charts.around(mesh, triangle as u32, radius.max(smallest_chart));
+            self.near.gather(&self.cells, images, &home.rim, radius);
+            let bound = self.near.bound(&self.cells, triangle, home.frame, spacing) + room;
+            // On a part without cells no reach is enough.
+            if bound <= reach || reach > mesh.area {
+                break bound;
+            }
+            reach = if bound.is_finite() { bound } else { reach * 2.0 };
+        };
+        self.reach[triangle] = (bound * 1.05 / spacing).min(8.0);
+        bound
+    }
+
+    /// Lets the cells look out as far as it takes to be seen from all triangles whose lists they are in.
+    fn look_out(&mut self, mesh: &Mesh, spacing: f32, room: f32) {
+        let mut has_cells = vec![false; mesh.part_count()];
+        for (triangle, &part) in mesh.parts.iter().enumerate() {
+            has_cells[part as usize] |= !self.cells.of(triangle).is_empty();
+        }
+        let mut reach = FIRST_REACH * spacing;
+        loop {
+            let radius = reach + self.cells.longest_motion;
+            self.lookout.look(mesh, &mut self.charts, &self.cells, radius);
+            let mut farthest = 0.0f32;
+            for (triangle, frame) in mesh.frames.iter().enumerate() {
+                if has_cells[mesh.parts[triangle] as usize] {
+                    farthest = farthest.max(self.seen_bound(triangle, frame, spacing) + room);
+                }
+            }
+            if farthest <= reach {
+                return;
+            }
+            reach = if farthest.is_finite() { farthest } else { reach * 2.0 };
+        }
+    }
+
+    /// Takes up the sites that a triangle has been seen from; within how far of it its nearest ones lie.
+    fn seen_bound(&mut self, triangle: usize, frame: &Frame, spacing: f32) -> f32 {
+        self.near.take(self.lookout.of(triangle));
+        self.near.bound(&self.cells, triangle, frame, spacing)
     }
 
     /// Appends the list of a triangle.

@@ -1,8 +1,10 @@
 //! What is seen: the Voronoi tessellation of the cells on the surface, and its pattern in numbers.
 
 mod finder;
+mod lookout;
 mod near;
 mod pattern;
+mod picked;
 mod polygons;
 mod sites;
 

@@ -1,6 +1,6 @@
 //! The sites around one triangle, unfolded into its plane, now and the day before.
 
-use crate::surface::{Charts, Frame, Image, Mesh, Place, distance, length};
+use crate::surface::{Charts, Frame, Image, Mesh, Place, length};
 use crate::tissue::{Bins, Diary, LANES, Rim, lanes, lanes_mut};
 use glam::Vec2;
 use wide::f32x4;
@@ -93,6 +93,19 @@ impl SortedCells {
         self.bins.sizes[triangle] * self.bins.cuts as f32
     }
 
+    /// The rows of a triangle's cells.
+    pub fn of(&self, triangle: usize) -> std::ops::Range<usize> {
+        let bins = self.bins.of(triangle);
+        self.rows(bins.start, bins.end)
+    }
+
+    /// The site of a row, in the frame of its triangle.
+    pub fn site(&self, frame: &Frame, row: usize) -> NearSite {
+        let [now_b1, now_b2, before_b1, before_b2] = self.columns.each_ref().map(|c| c[row]);
+        let (now, before) = (frame.point(now_b1, now_b2), frame.point(before_b1, before_b2));
+        NearSite::new(now, before, self.tags[row])
+    }
+
     fn rows(&self, first_bin: usize, end_bin: usize) -> std::ops::Range<usize> {
         self.starts[first_bin] as usize..self.starts[end_bin] as usize
     }
@@ -120,7 +133,7 @@ pub struct Near {
     /// x and y now, x and y before, in centimetres.
     columns: [Vec<f32>; 4],
     tags: Vec<u32>,
-    len: usize,
+    pub len: usize,
 }
 
 impl Near {
@@ -150,6 +163,21 @@ impl Near {
                 }
                 first += LANES;
             }
+        }
+    }
+
+    /// Takes up sites that were found from the cells' side.
+    pub fn take(&mut self, sites: &[NearSite]) {
+        self.len = sites.len();
+        if self.tags.len() < self.len + LANES {
+            self.grow(self.len + LANES);
+        }
+        for (k, site) in sites.iter().enumerate() {
+            let places = [site.now.x, site.now.y, site.before.x, site.before.y];
+            for (column, place) in self.columns.iter_mut().zip(places) {
+                column[k] = place;
+            }
+            self.tags[k] = site.cell | site.kind << TYPE_SHIFT;
         }
     }
 
@@ -191,8 +219,7 @@ impl Near {
     /// from each of a grid of points the way to a site, and to that point from any other. `spacing`
     /// is the mean spacing of the cells.
     pub fn bound(&self, cells: &SortedCells, triangle: usize, frame: &Frame, spacing: f32) -> f32 {
-        let of = cells.bins.of(triangle);
-        let own = cells.rows(of.start, of.end).len();
+        let own = cells.of(triangle).len();
         // The triangle's own sites bound nearly as well as all, where it has some.
         let sites = if own >= ENOUGH_SITES { own } else { self.len };
         let whole_size = cells.size(triangle);
@@ -234,42 +261,15 @@ impl Near {
         least
     }
 
-    /// Picks the sites whose polygons may reach into the triangle at some moment, into `picked`: first
-    /// those that come within `bound` of it, and of these the ones that are not much farther from some
-    /// part of the triangle than its nearest one. `room` is added to what the polygons need.
-    pub fn pick(&self, picked: &mut Picked, home: &Home, bound: f32, room: f32, spacing: f32) {
-        picked.clear();
-        for first in (0..self.len).step_by(LANES) {
-            let [now, before] = self.four(first);
-            let within_now = home.rim.sides(now.0, now.1, bound);
-            let within_before = home.rim.sides(before.0, before.1, bound);
-            let mut keep = ((within_now[0] | within_before[0])
-                & (within_now[1] | within_before[1])
-                & (within_now[2] | within_before[2]))
-                .to_bitmask()
-                & ((1 << (self.len - first).min(LANES)) - 1);
-            while keep != 0 {
-                picked.add(self, first + keep.trailing_zeros() as usize);
-                keep &= keep - 1;
-            }
-        }
-        picked.thin_out(home, room, spacing);
-    }
-
     /// Place now and before of a site, in centimetres, its cell's number and the index of its type.
-    fn site(&self, k: usize) -> NearSite {
+    pub fn site(&self, k: usize) -> NearSite {
         let [now_x, now_y, before_x, before_y] = self.columns.each_ref().map(|column| column[k]);
-        NearSite {
-            now: Vec2::new(now_x, now_y),
-            before: Vec2::new(before_x, before_y),
-            cell: self.tags[k] & ((1 << TYPE_SHIFT) - 1),
-            kind: self.tags[k] >> TYPE_SHIFT,
-        }
+        NearSite::new(Vec2::new(now_x, now_y), Vec2::new(before_x, before_y), self.tags[k])
     }
 
     /// The x and y now and before of four sites. Lanes behind the last site repeat old ones.
     #[inline]
-    fn four(&self, first: usize) -> [(f32x4, f32x4); 2] {
+    pub fn four(&self, first: usize) -> [(f32x4, f32x4); 2] {
         let [now_x, now_y, before_x, before_y] =
             self.columns.each_ref().map(|column| lanes(column, first));
         [(now_x, now_y), (before_x, before_y)]
@@ -287,97 +287,9 @@ pub struct NearSite {
     pub kind: u32,
 }
 
-/// The triangle whose list is made.
-pub struct Home<'a> {
-    pub frame: &'a Frame,
-    pub rim: Rim,
-    /// The farthest that a corner lies from the centroid, in centimetres.
-    pub size: f32,
-}
-
-/// The sites of one list.
-#[derive(Clone, Debug, Default)]
-pub struct Picked {
-    sites: Vec<NearSite>,
-    ways: Vec<FourWays>,
-    /// Of the middles of those ways from one point.
-    distances: Vec<f32x4>,
-    keep: Vec<u32>,
-}
-
-/// How four sites go from the day before to now: the middle of each way, and half its length.
-#[derive(Clone, Copy, Debug)]
-struct FourWays {
-    middle_x: f32x4,
-    middle_y: f32x4,
-    half: f32x4,
-}
-
-/// Far from everything.
-const NO_WAYS: FourWays =
-    FourWays { middle_x: f32x4::splat(1e9), middle_y: f32x4::splat(1e9), half: f32x4::ZERO };
-
-/// Parts that a triangle is looked at in are this large, in mean spacings. Larger, and lists get
-/// longer; smaller, and looking takes longer than what is saved.
-const PART_SPACINGS: f32 = 0.4;
-const MAX_PART_CUTS: usize = 10;
-
-impl Picked {
-    /// The sites whose polygons may reach into the triangle.
-    pub fn sites(&self) -> impl Iterator<Item = &NearSite> {
-        self.sites
-            .iter()
-            .enumerate()
-            .filter_map(|(k, site)| (self.keep[k / LANES] & 1 << (k % LANES) != 0).then_some(site))
-    }
-
-    fn clear(&mut self) {
-        self.sites.clear();
-        self.ways.clear();
-    }
-
-    fn add(&mut self, near: &Near, k: usize) {
-        let site = near.site(k);
-        let middle = 0.5 * (site.now + site.before);
-        let lane = self.sites.len() % LANES;
-        if lane == 0 {
-            self.ways.push(NO_WAYS);
-        }
-        if let Some(four) = self.ways.last_mut() {
-            four.middle_x.as_mut_array()[lane] = middle.x;
-            four.middle_y.as_mut_array()[lane] = middle.y;
-            four.half.as_mut_array()[lane] = 0.5 * distance(site.now, site.before);
-        }
-        self.sites.push(site);
-    }
-
-    /// Keeps the sites that are nearest to a point of the triangle at some moment, or nearly so.
-    fn thin_out(&mut self, home: &Home, room: f32, spacing: f32) {
-        self.keep.clear();
-        self.keep.resize(self.ways.len(), 0);
-        self.distances.resize(self.ways.len(), f32x4::ZERO);
-        let cuts = ((home.size / (PART_SPACINGS * spacing)) as usize + 1).min(MAX_PART_CUTS);
-        let share = 1.0 / cuts as f32;
-        let slack = 2.0 * home.size * share + room;
-        for i in 0..cuts {
-            for column in 0..2 * (cuts - i) - 1 {
-                let third = if column % 2 == 0 { 1.0 / 3.0 } else { 2.0 / 3.0 };
-                let (b1, b2) = (i as f32 + third, (column / 2) as f32 + third);
-                let centre = home.frame.point(b1 * share, b2 * share);
-                let (x, y) = (f32x4::splat(centre.x), f32x4::splat(centre.y));
-                let mut nearest = f32x4::splat(f32::INFINITY);
-                for (four, distance) in self.ways.iter().zip(&mut self.distances) {
-                    let (dx, dy) = (four.middle_x - x, four.middle_y - y);
-                    *distance = (dx * dx + dy * dy).sqrt();
-                    nearest = nearest.fast_min(*distance + four.half);
-                }
-                let nearest = nearest.to_array().into_iter().fold(f32::INFINITY, f32::min);
-                let reach = f32x4::splat(nearest + slack);
-                let looked_at = self.ways.iter().zip(&self.distances);
-                for (keep, (four, distance)) in self.keep.iter_mut().zip(looked_at) {
-                    *keep |= (*distance - four.half).simd_le(reach).to_bitmask();
-                }
-            }
-        }
+impl NearSite {
+    fn new(now: Vec2, before: Vec2, tag: u32) -> NearSite {
+        let (cell, kind) = (tag & ((1 << TYPE_SHIFT) - 1), tag >> TYPE_SHIFT);
+        NearSite { now, before, cell, kind }
     }
 }

@@ -64,13 +64,6 @@ pub struct ShownPicture<'a> {
     pub lists: &'a SiteLists,
 }
 
-/// The number of the figure that the fragment of an address asks for, empty for the first; None if
-/// it asks for a plant.
-pub fn asked_figure(fragment: &str) -> Option<&str> {
-    let rest = fragment.trim_start_matches('#').strip_prefix("figures")?;
-    if rest.is_empty() { Some("") } else { rest.strip_prefix('/') }
-}
-
 impl Gallery {
     /// `workers`: how many there will be; they are asked for nothing before they said hello.
     pub fn new(plants: &'static [Plant], workers: usize) -> Gallery {
@@ -219,6 +212,12 @@ impl Row {
         Some(ShownPicture { scene, generation: run.generation, day, facts, lists })
     }
 
+    /// The link of what a picture is to show.
+    pub fn link(&self, picture: usize) -> String {
+        let scene = &self.pictures[picture];
+        link::write(&Scene { day: self.day.min(scene.day), ..scene.clone() })
+    }
+
     /// The growth that a picture shows a day of.
     fn run(&self, picture: usize) -> Option<&Run> {
         self.runs.iter().find(|run| run.scene.grows_like(&self.pictures[picture]))
@@ -332,13 +331,6 @@ mod tests {
     }
 
     #[test]
-    fn an_address_asks_for_figures_or_a_plant() {
-        let asked =
-            ["#figures", "figures/4.8", "#", "#croton?v=1", "#figuresque"].map(asked_figure);
-        assert_eq!(asked, [Some(""), Some("4.8"), None, None, None]);
-    }
-
-    #[test]
     fn a_row_grows_once_for_each_growth_with_any_number_of_workers() {
         let fingerprints = [1, 2, 5].map(|workers| {
             let mut all = Together::new(workers);
@@ -369,6 +361,9 @@ mod tests {
         all.finish();
         all.hear(Event::Day(3));
         assert_eq!(all.days(), [Some(2), Some(3), Some(3)]);
+        let row = all.gallery.row().unwrap();
+        let linked = [0, 1, 2].map(|k| link::read(&row.link(k), PLANTS).scene.day);
+        assert_eq!(linked, [2, 3, 3], "what is seen is what opens");
         all.hear(Event::Day(99));
         assert_eq!(all.days(), [Some(2), Some(4), Some(5)]);
     }

@@ -79,7 +79,7 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
             match key {
                 "v" => check_version(value),
                 INDIVIDUAL => whole(value).map(|n| scene.individual = n),
-                "d" => whole(value).map(|n| wished_day = Some(n)),
+                "d" => day(value).map(|n| wished_day = Some(n)),
                 "noise" => switch(value).map(|on| scene.noise = on),
                 "show" => read_show(plant, value).map(|show| scene.show = show),
                 "view" => read_orbit(value).map(|orbit| scene.orbit = orbit),
@@ -154,6 +154,10 @@ fn switch(text: &str) -> Result<bool, String> {
 pub fn individual(number: f64) -> Result<u32, String> {
     let is_whole = number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number);
     is_whole.then_some(number as u32).ok_or_else(not_whole)
+}
+
+fn day(text: &str) -> Result<u32, String> {
+    text.parse().map_err(|_| "it must be a whole number of days".to_string())
 }
 
 fn whole(text: &str) -> Result<u32, String> {

@@ -46,6 +46,11 @@ fn without_both_there_is_a_still_picture_and_plain_words() {
     // The page works on.
     page.choose("cactus");
     page.wait("the cactus", |s| s.plant == "cactus" && !s.fingerprint.is_empty());
+    assert!(page.messages().contains("still picture"), "it is one still");
+    page.click("dismiss");
+    page.choose("croton");
+    page.wait("the croton", |s| s.plant == "croton" && !s.fingerprint.is_empty());
+    assert!(!page.messages().contains("still picture"), "the visitor has read it");
     assert_eq!(page.complaints(), [""; 0]);
 }
 

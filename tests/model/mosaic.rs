@@ -2,6 +2,7 @@
 
 use crate::meshes::{blade, cube, flat, icosphere, shaken, sheet};
 use clonal_mosaic::mosaic::{MOST_TINT, SiteFinder, SiteLists, Tag, polygons};
+use clonal_mosaic::plants;
 use clonal_mosaic::surface::{Charts, ControlImage, Cylinder, Mesh, Wrap};
 use clonal_mosaic::tissue::CellType::{Background, Foreground};
 use clonal_mosaic::tissue::{Control, Diary, Growth, Progress, Recipe, Use};
@@ -69,7 +70,7 @@ fn lists_agree_with_polygons(mesh: &Mesh, diary: &Diary, day: usize) {
 #[test]
 fn a_sphere_shows_its_voronoi_polygons() {
     // From many triangles to a cell to many cells to a triangle.
-    for (levels, cells) in [(4, 400), (3, 2500), (2, 20_000)] {
+    for (levels, cells) in [(4, 60), (4, 250), (4, 600), (3, 2500), (2, 20_000)] {
         let mesh = icosphere(levels, 10.0);
         lists_agree_with_polygons(&mesh, &grown(&mesh, cells, 3), 3);
     }
@@ -88,10 +89,15 @@ fn sheets_edges_and_blades_show_their_voronoi_polygons() {
 /// of all cells must be in the list.
 #[test]
 fn lists_are_complete_at_every_moment_between_two_days() {
-    let mesh = sheet(16, 10.0, flat);
-    let diary = grown(&mesh, 900, 3);
-    let mut finder = SiteFinder::new(&mesh);
-    let lists = finder.find(&mesh, &diary, 3);
+    // Triangles look for many cells, few cells look out for triangles.
+    complete_at_every_moment(&sheet(16, 10.0, flat), 900);
+    complete_at_every_moment(&sheet(24, 10.0, flat), 60);
+}
+
+fn complete_at_every_moment(mesh: &Mesh, cells: u32) {
+    let diary = grown(mesh, cells, 3);
+    let mut finder = SiteFinder::new(mesh);
+    let lists = finder.find(mesh, &diary, 3);
     let spacing = (mesh.area / diary.days[3].places.len() as f32).sqrt();
     let ends: Vec<_> = (0..diary.days[3].places.len())
         .map(|cell| {
@@ -116,12 +122,27 @@ fn lists_are_complete_at_every_moment_between_two_days() {
                     .map(|(before, now)| before.lerp(*now, moment).distance(point))
                     .collect();
                 all.sort_by(f32::total_cmp);
-                let close = |k: usize| (listed[k].0 - all[k]).abs() < 2e-3;
+                let step = lists.heads[triangle].scale_cm;
+                let close = |k: usize| (listed[k].0 - all[k]).abs() < step.max(2e-3);
                 assert!(close(0), "{triangle}: {listed:?} or {}", all[0]);
                 // And the second nearest, where its border is near enough to be drawn.
                 assert!(close(1) || all[1] - all[0] > 0.1 * spacing, "{triangle}: {listed:?}");
             }
         }
+    }
+}
+
+#[test]
+fn leaves_without_cells_have_empty_lists() {
+    let croton = plants::all().iter().find(|plant| plant.key == "croton").unwrap();
+    let body = (croton.body)(croton.mesh.text).unwrap();
+    let mesh = &body.surface;
+    let diary = grown(mesh, 3, 1);
+    let lists = SiteFinder::new(mesh).find(mesh, &diary, 1);
+    let homes = diary.days[1].places.iter().map(|p| mesh.parts[p.triangle as usize]);
+    let homes: Vec<u32> = homes.collect();
+    for (head, part) in lists.heads.iter().zip(&mesh.parts) {
+        assert_eq!(head.count > 0, homes.contains(part));
     }
 }
 
