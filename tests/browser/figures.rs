@@ -138,7 +138,8 @@ fn the_days_of_a_row_are_pulled_together() {
             "const row = document.getElementById('figure-{NUMBER}');
              const told = new Set([...row.querySelectorAll('.told')].map(e => e.textContent));
              return row.querySelector('output').textContent === 'Day 0'
-                 && told.size === 1 && [...told][0].startsWith('6,000 cells')"
+                 && told.size === 1 && [...told][0].startsWith('Day 0: 6,000 cells')
+                 && [...row.querySelectorAll('.picture')].every(a => a.hash.includes('d=0'))"
         ),
     );
 }
