@@ -39,8 +39,9 @@ const FIRST_REACH: f32 = 1.5;
 /// day 1 serve all days. Day 0, for whose picture everybody waits, needs smaller ones.
 const SMALLEST_CHART: f32 = 1.9;
 
-/// Where there are so many triangles to a cell, the cells look out for them.
-const SPARSE: usize = 7;
+/// Where there are so many triangles to a cell, the cells look out for them: on day 0, and on later days,
+/// when the charts of all triangles would serve for the days that follow, too.
+const SPARSE: [usize; 2] = [7, 14];
 
 impl SiteFinder {
     pub fn new(mesh: &Mesh) -> SiteFinder {
@@ -85,7 +86,7 @@ impl SiteFinder {
         }
         let mut lists =
             SiteLists { heads: Vec::with_capacity(mesh.triangles.len()), sites: Vec::new() };
-        let is_sparse = SPARSE * diary.days[day].places.len() < mesh.triangles.len();
+        let is_sparse = SPARSE[day.min(1)] * diary.days[day].places.len() < mesh.triangles.len();
         if is_sparse {
             self.look_out(mesh, spacing, room);
         }

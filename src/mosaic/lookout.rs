@@ -3,29 +3,27 @@
 
 use super::near::{NearSite, SortedCells};
 use crate::surface::{Charts, Mesh};
+use glam::Vec2;
 
 /// The sites around each triangle of a mesh.
 #[derive(Clone, Debug, Default)]
 pub struct Lookout {
-    seen: Vec<Seen>,
-    /// The sites in the order of the triangles that they are seen from.
+    /// As they were found.
+    seen: Vec<NearSite>,
+    /// For each of them the triangle that it is seen from, whether that is another than its own, and its
+    /// number, in one integer that orders by them.
+    order: Vec<u64>,
+    /// In the order of the triangles.
     sites: Vec<NearSite>,
     /// The first site of each triangle, and the end of the last.
     starts: Vec<u32>,
-}
-
-/// A site as it is seen from a triangle.
-#[derive(Clone, Copy, Debug)]
-struct Seen {
-    from: u32,
-    is_elsewhere: bool,
-    site: NearSite,
 }
 
 impl Lookout {
     /// Finds all sites within `radius` (centimetres) of each triangle.
     pub fn look(&mut self, mesh: &Mesh, charts: &mut Charts, cells: &SortedCells, radius: f32) {
         self.seen.clear();
+        self.order.clear();
         for home in 0..mesh.triangles.len() {
             let rows = cells.of(home);
             if rows.is_empty() {
@@ -34,28 +32,29 @@ impl Lookout {
             let images = charts.around(mesh, home as u32, radius);
             for image in images.iter().take_while(|image| image.distance <= radius) {
                 let (from, per_cm) = (image.triangle, image.to_barycentric());
-                let there = |place: glam::Vec2| {
+                let there = |place: Vec2| {
                     let [b1, b2] = per_cm.map(|per_cm| per_cm.dot(place - image.origin));
                     mesh.frames[from as usize].point(b1, b2)
                 };
                 for row in rows.clone() {
+                    let key = u64::from(from) << 1 | u64::from(from as usize != home);
+                    self.order.push(key << 32 | self.seen.len() as u64);
                     let site = cells.site(&mesh.frames[home], row);
-                    let site =
-                        NearSite { now: there(site.now), before: there(site.before), ..site };
-                    self.seen.push(Seen { from, is_elsewhere: from as usize != home, site });
+                    let (now, before) = (there(site.now), there(site.before));
+                    self.seen.push(NearSite { now, before, ..site });
                 }
             }
         }
-        self.seen.sort_by_key(|seen| (seen.from, seen.is_elsewhere));
+        self.order.sort_unstable();
         self.sites.clear();
-        self.sites.extend(self.seen.iter().map(|seen| seen.site));
+        self.sites.extend(self.order.iter().map(|&key| self.seen[key as u32 as usize]));
         self.starts.clear();
         self.starts.resize(mesh.triangles.len() + 1, 0);
-        for seen in &self.seen {
-            self.starts[seen.from as usize + 1] += 1;
+        for key in &self.order {
+            self.starts[(key >> 33) as usize + 1] += 1;
         }
-        for t in 0..mesh.triangles.len() {
-            self.starts[t + 1] += self.starts[t];
+        for triangle in 0..mesh.triangles.len() {
+            self.starts[triangle + 1] += self.starts[triangle];
         }
     }
 
