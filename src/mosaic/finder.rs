@@ -15,6 +15,8 @@ pub struct SiteFinder {
     charts: Charts,
     controls: Vec<Control>,
     cells: SortedCells,
+    /// For each part whether it has cells: on one without, none can be found however far one looks.
+    has_cells: Vec<bool>,
     lookout: Lookout,
     near: Near,
     picked: Picked,
@@ -41,7 +43,8 @@ const SMALLEST_CHART: f32 = 1.9;
 
 /// Where there are so many triangles to a cell, the cells look out for them: on day 0, and on later days,
 /// when the charts of all triangles would serve for the days that follow, too.
-const SPARSE: [usize; 2] = [7, 14];
+const SPARSE_ON_DAY_0: usize = 7;
+const SPARSE_LATER: usize = 14;
 
 impl SiteFinder {
     pub fn new(mesh: &Mesh) -> SiteFinder {
@@ -49,6 +52,7 @@ impl SiteFinder {
             charts: Charts::new(mesh),
             controls: Vec::new(),
             cells: SortedCells::default(),
+            has_cells: Vec::new(),
             lookout: Lookout::default(),
             near: Near::default(),
             picked: Picked::default(),
@@ -75,6 +79,11 @@ impl SiteFinder {
             self.charts.clear();
         }
         self.cells.gather(mesh, &mut self.charts, diary, day, spacing);
+        self.has_cells.clear();
+        self.has_cells.resize(mesh.part_count(), false);
+        for place in &diary.days[day].places {
+            self.has_cells[mesh.parts[place.triangle as usize] as usize] = true;
+        }
         self.cell_of.clear();
         self.number_of.clear();
         self.number_of.resize(diary.days[day].places.len(), (u32::MAX, 0));
@@ -86,13 +95,17 @@ impl SiteFinder {
         }
         let mut lists =
             SiteLists { heads: Vec::with_capacity(mesh.triangles.len()), sites: Vec::new() };
-        let is_sparse = SPARSE[day.min(1)] * diary.days[day].places.len() < mesh.triangles.len();
+        let sparse = if day == 0 { SPARSE_ON_DAY_0 } else { SPARSE_LATER };
+        let is_sparse = sparse * diary.days[day].places.len() < mesh.triangles.len();
         if is_sparse {
             self.look_out(mesh, spacing, room);
         }
         for (triangle, frame) in mesh.frames.iter().enumerate() {
             let home = Home { frame, rim: Rim::new(frame), size: self.cells.size(triangle) };
-            let bound = if is_sparse {
+            let bound = if !self.has_cells[mesh.parts[triangle] as usize] {
+                self.near.take(&[]);
+                f32::INFINITY
+            } else if is_sparse {
                 self.seen_bound(triangle, frame, spacing) + room
             } else {
                 let smallest_chart = if day == 0 { 0.0 } else { SMALLEST_CHART * spacing };
@@ -120,8 +133,7 @@ impl SiteFinder {
             let images = self.charts.around(mesh, triangle as u32, radius.max(smallest_chart));
             self.near.gather(&self.cells, images, &home.rim, radius);
             let bound = self.near.bound(&self.cells, triangle, home.frame, spacing) + room;
-            // On a part without cells no reach is enough.
-            if bound <= reach || reach > mesh.area {
+            if bound <= reach {
                 break bound;
             }
             reach = if bound.is_finite() { bound } else { reach * 2.0 };
@@ -132,17 +144,13 @@ impl SiteFinder {
 
     /// Lets the cells look out as far as it takes to be seen from all triangles whose lists they are in.
     fn look_out(&mut self, mesh: &Mesh, spacing: f32, room: f32) {
-        let mut has_cells = vec![false; mesh.part_count()];
-        for (triangle, &part) in mesh.parts.iter().enumerate() {
-            has_cells[part as usize] |= !self.cells.of(triangle).is_empty();
-        }
         let mut reach = FIRST_REACH * spacing;
         loop {
             let radius = reach + self.cells.longest_motion;
             self.lookout.look(mesh, &mut self.charts, &self.cells, radius);
             let mut farthest = 0.0f32;
             for (triangle, frame) in mesh.frames.iter().enumerate() {
-                if has_cells[mesh.parts[triangle] as usize] {
+                if self.has_cells[mesh.parts[triangle] as usize] {
                     farthest = farthest.max(self.seen_bound(triangle, frame, spacing) + room);
                 }
             }
