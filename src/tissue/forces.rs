@@ -1,7 +1,7 @@
 //! The forces between cells, four neighbours at a time (Thesis 3.2.1.1).
 
 use super::Recipe;
-use super::lanes::{LANES, WIDTH, Wide, wide};
+use super::lanes::{LANES, WIDTH, Wide, WideInt, wide};
 use super::near::Near;
 use glam::Vec2;
 use std::ops::Range;
@@ -31,35 +31,26 @@ impl Forces {
     }
 }
 
-/// The forces of a day, in all lanes.
+/// What the force loop needs to know, in all lanes.
 pub(super) struct ForceLanes {
     radius: Wide,
-    radius_squared: Wide,
-    /// For each type of cell the parabola through the weights of its neighbours' types: cheaper than
-    /// to choose among them.
-    weights: [[Wide; 3]; 3],
+    /// What `order` makes of the square of the radius.
+    reach: WideInt,
 }
 
 impl ForceLanes {
     pub(super) fn new(forces: &Forces) -> ForceLanes {
-        ForceLanes {
-            radius: Wide::splat(forces.radius),
-            radius_squared: Wide::splat(forces.radius * forces.radius),
-            weights: forces.weights.map(|[at_0, at_1, at_2]| {
-                let bend = 0.5 * (at_2 - at_1) - 0.5 * (at_1 - at_0);
-                [at_0, at_1 - at_0 - bend, bend].map(Wide::splat)
-            }),
-        }
+        let radius = Wide::splat(forces.radius);
+        ForceLanes { radius, reach: order(radius * radius) }
     }
 
     /// The forces on a patch's own `k`-th cell, in centimetres:
-    /// `sum (1 - adhesion) (1 - d/r) r (x_i - x_j)/d` over the cells within `r`. The cell itself is at
-    /// a distance of exactly 0 from itself, and as it has no direction, 0, to push in, it adds nothing;
-    /// so does a cell on the very same spot.
+    /// `sum (1 - adhesion) (1 - d/r) r (x_i - x_j)/d` over the cells within `r`, but for the cell itself and
+    /// those on the very same spot.
     #[inline]
     pub(super) fn push(&self, near: &Near, k: usize, kind: f32) -> Push {
         let at = near.at(k);
-        let weights = &self.weights[kind_index(kind)];
+        let weights = &near.weights[kind_index(kind)];
         let mut sum = Push::default();
         let [one, other] = near.windows(k);
         self.add_window(&mut sum, near, at, weights, one);
@@ -74,7 +65,7 @@ impl ForceLanes {
         sum: &mut Push,
         near: &Near,
         at: Vec2,
-        weights: &[Wide; 3],
+        weights: &[f32],
         window: Range<u32>,
     ) {
         let mut k = window.start as usize;
@@ -99,20 +90,17 @@ impl ForceLanes {
         sum: &mut Push,
         near: &Near,
         at: Vec2,
-        weights: &[Wide; 3],
+        weights: &[f32],
         k: usize,
         mask: Wide,
     ) {
         let dx = Wide::splat(at.x) - wide(&near.x, k);
         let dy = Wide::splat(at.y) - wide(&near.y, k);
-        let other = wide(&near.kind, k);
+        let weight = wide(weights, k);
         let squared = dx * dx + dy * dy;
-        let within = squared.simd_lt(self.radius_squared) & mask;
-        // Without a direction no length must be infinite.
-        let squared = squared.fast_max(Wide::splat(f32::MIN_POSITIVE));
-        let weight = weights[0] + other * (weights[1] + other * weights[2]);
+        let within: Wide = bytemuck::cast(self.reach.simd_gt(order(squared)));
         // (1 - d/r) r / d = r/d - 1
-        let scale = within & (weight * (self.radius / squared.sqrt() - Wide::ONE));
+        let scale = (within & mask) & (weight * (self.radius / squared.sqrt() - Wide::ONE));
         sum.add(dx * scale, dy * scale);
     }
 }
@@ -147,6 +135,22 @@ impl Push {
     }
 }
 
+/// Numbers from 0 up as integers that order as they do, but for 0, which comes after all others.
+#[inline]
+fn order(numbers: Wide) -> WideInt {
+    let bits: WideInt = bytemuck::cast(numbers);
+    bits + WideInt::splat(i32::MAX)
+}
+
+/// Four cells' weights, `1 - adhesion` of their types, which are 0.0, 1.0 or 2.0: the parabola through
+/// the weights of the three types is cheaper than to choose among them.
+#[inline]
+pub(super) fn weigh([at_0, at_1, at_2]: [f32; 3], kinds: f32x4) -> f32x4 {
+    let bend = 0.5 * (at_2 - at_1) - 0.5 * (at_1 - at_0);
+    let [bend, slope, start] = [bend, at_1 - at_0 - bend, at_0].map(f32x4::splat);
+    start + kinds * (slope + kinds * bend)
+}
+
 /// The type of a cell that is 0.0, 1.0 or 2.0, as an index: the first three bits of the number, which
 /// is quicker than to convert it.
 #[inline]
@@ -168,4 +172,33 @@ fn first(left: usize, done: usize) -> Wide {
     const MASKS: [f32; 2 * EIGHT] =
         [ON, ON, ON, ON, ON, ON, ON, ON, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     wide(&MASKS, EIGHT - left + done)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn squares_order_as_their_bits_do_and_nothing_is_within_nothing() {
+        let squares = [f32::MIN_POSITIVE, 1e-20, 0.25, 0.5, 1.0, 3e10];
+        let is_within = |square: f32, reach: f32| {
+            order(Wide::splat(reach)).simd_gt(order(Wide::splat(square))).to_array()
+        };
+        for (k, &square) in squares.iter().enumerate() {
+            for (other, &reach) in squares.iter().enumerate() {
+                let expected = if k < other { -1 } else { 0 };
+                assert!(is_within(square, reach).iter().all(|&mask| mask == expected));
+            }
+            assert!(is_within(0.0, square).iter().all(|&mask| mask == 0));
+        }
+    }
+
+    #[test]
+    fn each_type_has_its_weight() {
+        let weights = [0.7, 0.05, 0.95];
+        let weighed = weigh(weights, f32x4::new([0.0, 1.0, 2.0, 1.0])).to_array();
+        for (weight, expected) in weighed.into_iter().zip([0.7, 0.05, 0.95, 0.05]) {
+            assert!((weight - expected).abs() < 1e-6, "{weight} in place of {expected}");
+        }
+    }
 }

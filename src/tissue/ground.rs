@@ -2,8 +2,10 @@
 //! (Thesis 3.2.3).
 
 use super::forces::Forces;
+use super::lanes::LANES;
 use super::{Control, Recipe};
 use crate::surface::{Mesh, Place};
+use wide::f32x4;
 
 /// The forces of a day, all over the body.
 ///
@@ -44,6 +46,18 @@ impl Ground {
         match self {
             Ground::Even(forces) => forces,
             Ground::Uneven(forces) => &forces[triangle as usize],
+        }
+    }
+
+    /// The repulsions and the repulsive radii of cells in four triangles.
+    #[inline]
+    pub(super) fn steps(&self, triangles: impl FnOnce() -> [u32; LANES]) -> (f32x4, f32x4) {
+        match self {
+            Ground::Even(forces) => (f32x4::splat(forces.repulsion), f32x4::splat(forces.radius)),
+            Ground::Uneven(forces) => {
+                let four = triangles().map(|triangle| &forces[triangle as usize]);
+                (f32x4::new(four.map(|f| f.repulsion)), f32x4::new(four.map(|f| f.radius)))
+            }
         }
     }
 

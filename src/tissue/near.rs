@@ -1,8 +1,8 @@
 //! The cells in and around one patch, unfolded into its plane and sorted into boxes, so that a cell
 //! finds all within the repulsive radius in two rows of them.
 
-use super::forces::EIGHT;
-use super::lanes::{BinSort, LANES, copy, integers, lanes, lanes_mut, whole};
+use super::forces::{EIGHT, weigh};
+use super::lanes::{BinSort, LANES, copy, integers, lanes, lanes_mut, one, whole};
 use super::relax::{Row, four};
 use crate::surface::Image;
 use glam::Vec2;
@@ -42,7 +42,9 @@ pub(super) struct Near {
     pub(super) x: Vec<f32>,
     pub(super) y: Vec<f32>,
     /// The type as a number, 0.0, 1.0 or 2.0.
-    pub(super) kind: Vec<f32>,
+    kind: Vec<f32>,
+    /// For each type of the cells in the patch, what its neighbours' pushes are multiplied with.
+    pub(super) weights: [Vec<f32>; 3],
     /// Into boxes, row by row.
     sorting: BinSort,
     columns: usize,
@@ -73,6 +75,7 @@ impl Near {
         ] {
             column.resize(rows, 0.0);
         }
+        self.weights.iter_mut().for_each(|column| column.resize(rows, 0.0));
         for column in [
             &mut self.box_of,
             &mut self.slot_of,
@@ -130,9 +133,10 @@ impl Near {
         let mut to = self.len;
         self.unfold(all, image, rows);
         self.own = self.len;
+        let (slot, first_bin) = (u32x4::splat(slot as u32), u32x4::splat(first_bin as u32));
         loop {
-            *lanes_mut(&mut self.slot_of, to) = [slot as u32; LANES];
-            *lanes_mut(&mut self.first_bin_of, to) = [first_bin as u32; LANES];
+            *lanes_mut(&mut self.slot_of, to) = slot.to_array();
+            *lanes_mut(&mut self.first_bin_of, to) = first_bin.to_array();
             to += LANES;
             if to >= self.len {
                 break;
@@ -167,21 +171,39 @@ impl Near {
     /// Sorts the cells into their boxes.
     pub(super) fn sort(&mut self) {
         self.find_boxes();
+        // The triangle of the last cell stands behind it, too, where `slots` may look.
+        let last = self.slot_of[self.own - 1];
+        *lanes_mut(&mut self.slot_of, self.own) = [last; LANES];
+        // As slices: where a vector begins would be looked up again after each number that is written.
         let Points { x, y, kind } = &self.unsorted;
-        self.sorting.sort(&self.box_of[..self.len], self.boxes, |k, to| {
+        let (x, y, kind) = (&x[..], &y[..], &kind[..]);
+        let (to_x, to_y, to_kind) = (&mut self.x[..], &mut self.y[..], &mut self.kind[..]);
+        self.sorting.sort(&self.box_of[..self.len], self.boxes, move |k, to| {
             // SAFETY: all columns are of the same length, at least `len`, as `reserve` made them.
             unsafe {
-                copy(x, k, &mut self.x, to);
-                copy(y, k, &mut self.y, to);
-                copy(kind, k, &mut self.kind, to);
+                copy(x, k, to_x, to);
+                copy(y, k, to_y, to);
+                copy(kind, k, to_kind, to);
             }
         });
+    }
+
+    /// Notes how the cells push those of each of the types: `1 - adhesion` by the types of the pushed and the
+    /// pushing one.
+    pub(super) fn weigh(&mut self, weights: &[[f32; 3]]) {
+        let kind = &self.kind[..];
+        for (&weights, column) in weights.iter().zip(&mut self.weights) {
+            let column = &mut column[..];
+            for k in (0..self.len).step_by(LANES) {
+                *lanes_mut(column, k) = weigh(weights, lanes(kind, k)).to_array();
+            }
+        }
     }
 
     /// Where the `k`-th of the unfolded cells lies.
     #[inline]
     pub(super) fn at(&self, k: usize) -> Vec2 {
-        Vec2::new(self.unsorted.x[k], self.unsorted.y[k])
+        Vec2::new(one(&self.unsorted.x, k), one(&self.unsorted.y, k))
     }
 
     /// The triangles of four of the patch's own cells, the `k`-th and those that follow.
@@ -199,18 +221,18 @@ impl Near {
     /// The cells that may be within `look_cm` of the patch's own `k`-th cell, in two runs.
     #[inline]
     pub(super) fn windows(&self, k: usize) -> [Range<u32>; 2] {
-        let lower = self.window_of[k] as usize;
+        let lower = one(&self.window_of, k) as usize;
         let upper = lower + self.columns;
-        let starts = &self.sorting.starts;
+        let start = |bin: usize| one(&self.sorting.starts, bin);
         if !self.crowded {
-            return [lower, upper].map(|first| starts[first]..starts[first + BOXES_IN_WINDOW]);
+            return [lower, upper].map(|first| start(first)..start(first + BOXES_IN_WINDOW));
         }
-        let seen = self.seen_of[k] as usize;
+        let seen = one(&self.seen_of, k) as usize;
         let window = |first: usize, seen: usize| {
-            let start = starts[first];
+            let begin = start(first);
             // Only whole fours, so that the others stay in their lanes.
-            let left_out = (starts[first + seen % 8] - start) & !(LANES as u32 - 1);
-            start + left_out..starts[first + seen / 8 % 8]
+            let left_out = (start(first + seen % 8) - begin) & !(LANES as u32 - 1);
+            begin + left_out..start(first + seen / 8 % 8)
         };
         [window(lower, seen), window(upper, seen / 64)]
     }

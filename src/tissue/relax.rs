@@ -18,6 +18,8 @@ use wide::f32x4;
 pub struct Crowd {
     plan: Plan,
     cells: usize,
+    /// How many of the types there are, from the first on.
+    types: usize,
     /// With `LANES` spare rows, as `moved` and `bins`.
     rows: Vec<Row>,
     sorting: BinSort,
@@ -75,7 +77,9 @@ impl Crowd {
         self.bins.resize(count, 0);
         self.pushes.resize(count, Push::default());
         self.near.reserve(self.cells);
+        self.types = 1;
         for (number, (place, kind)) in cells.enumerate() {
+            self.types = self.types.max(usize::from(kind) + 1);
             self.moved[number] =
                 Row { kind: f32::from(kind), cell: number as u32, ..Row::default() };
             self.move_to(number, place);
@@ -110,8 +114,14 @@ impl Crowd {
             self.near.sort();
             // On even ground a whole patch at once.
             let alike = if let Ground::Even(_) = ground { patch.own.len() } else { 1 };
+            let mut weighed = None;
             for first in patch.own.clone().step_by(alike) {
-                let forces = ForceLanes::new(ground.at(self.plan.order[first]));
+                let forces = ground.at(self.plan.order[first]);
+                if weighed != Some(forces.weights) {
+                    self.near.weigh(&forces.weights[..self.types]);
+                    weighed = Some(forces.weights);
+                }
+                let forces = ForceLanes::new(forces);
                 let rows = self.rows_of(self.plan.bins_of(&(first..first + alike)));
                 let near_row = rows.start - own.start;
                 let pushes = &mut self.pushes[near_row..];
@@ -128,16 +138,12 @@ impl Crowd {
     /// plane: at most half the repulsive radius far.
     fn step(&mut self, mesh: &Mesh, rows: Range<usize>, ground: &Ground, course: Option<&Course>) {
         for row in rows.clone().step_by(LANES) {
-            let count = (rows.end - row).min(LANES);
             let k = row - rows.start;
-            let mut slots = self.near.slots(k);
-            // Behind the last row anything may stand.
-            let last = slots[count - 1];
-            slots[count..].fill(last);
+            let slots = self.near.slots(k);
             let (x, y) = Push::totals(self.pushes[k..k + LANES].try_into().expect("four"));
-            let local = slots.map(|slot| ground.at(self.plan.order[slot as usize]));
-            let repulsion = f32x4::new(local.map(|forces| forces.repulsion));
-            let longest = f32x4::HALF * f32x4::new(local.map(|forces| forces.radius));
+            let (repulsion, radius) =
+                ground.steps(|| slots.map(|slot| self.plan.order[slot as usize]));
+            let longest = f32x4::HALF * radius;
             let (x, y) = (x * repulsion, y * repulsion);
             let squared = x * x + y * y;
             let capped = squared.simd_gt(longest * longest);
@@ -162,6 +168,7 @@ impl Crowd {
                 continue;
             }
             let (change_1, change_2) = (change_1.to_array(), change_2.to_array());
+            let count = (rows.end - row).min(LANES);
             for lane in (0..count).filter(|lane| inside & 1 << lane == 0) {
                 let triangle = self.plan.order[slots[lane] as usize];
                 let frame = &mesh.frames[triangle as usize];
@@ -203,10 +210,11 @@ impl Crowd {
 
     /// Sorts the moved cells by their bins; those of one bin keep their order.
     fn sort(&mut self) {
-        let (moved, bins) = (&self.moved, &self.bins[..self.cells]);
-        self.sorting.sort(bins, self.plan.bins_in_all(), |row, to| {
+        let (moved, bins) = (&self.moved[..], &self.bins[..self.cells]);
+        let rows = &mut self.rows[..];
+        self.sorting.sort(bins, self.plan.bins_in_all(), move |row, to| {
             // SAFETY: both have as many rows, more than there are cells.
-            unsafe { copy(moved, row, &mut self.rows, to) };
+            unsafe { copy(moved, row, rows, to) };
         });
     }
 }
