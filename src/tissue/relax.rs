@@ -3,7 +3,7 @@
 use super::course::Course;
 use super::forces::{ForceLanes, Push};
 use super::ground::Ground;
-use super::lanes::{BinSort, LANES, copy, lanes, lanes_mut};
+use super::lanes::{BinSort, LANES, copy, lanes, lanes_mut, one};
 use super::near::Near;
 use super::plan::{Neighbourhood, Plan, look_cm};
 use crate::surface::{Mesh, Place, walk};
@@ -198,7 +198,7 @@ impl Crowd {
     /// The rows of some bins.
     fn rows_of(&self, bins: Range<usize>) -> Range<usize> {
         let starts = &self.sorting.starts;
-        starts[bins.start] as usize..starts[bins.end] as usize
+        one(starts, bins.start) as usize..one(starts, bins.end) as usize
     }
 
     /// Puts the cell of a row in another place.
