@@ -49,9 +49,12 @@ impl Ground {
         }
     }
 
-    /// The repulsions and the repulsive radii of cells in four triangles.
+    /// For cells in four triangles.
     #[inline]
-    pub(super) fn steps(&self, triangles: impl FnOnce() -> [u32; LANES]) -> (f32x4, f32x4) {
+    pub(super) fn repulsions_and_radii_cm(
+        &self,
+        triangles: impl FnOnce() -> [u32; LANES],
+    ) -> (f32x4, f32x4) {
         match self {
             Ground::Even(forces) => (f32x4::splat(forces.repulsion), f32x4::splat(forces.radius)),
             Ground::Uneven(forces) => {

@@ -142,7 +142,7 @@ impl Crowd {
             let slots = self.near.slots(k);
             let (x, y) = Push::totals(self.pushes[k..k + LANES].try_into().expect("four"));
             let (repulsion, radius) =
-                ground.steps(|| slots.map(|slot| self.plan.order[slot as usize]));
+                ground.repulsions_and_radii_cm(|| slots.map(|slot| self.plan.order[slot as usize]));
             let longest = f32x4::HALF * radius;
             let (x, y) = (x * repulsion, y * repulsion);
             let squared = x * x + y * y;
