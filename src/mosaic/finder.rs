@@ -63,6 +63,13 @@ impl SiteFinder {
         }
     }
 
+    /// Begins another growth on the same mesh: its lists are those of a new finder. Charts that were made for
+    /// wider spacings would show the images of a triangle in another order.
+    pub fn begin(&mut self) {
+        self.charts.clear();
+        self.reach.fill(FIRST_REACH);
+    }
+
     /// Cells have the colours of these control images, by the place where they are on each day.
     pub fn coloured(mut self, controls: Vec<Control>) -> SiteFinder {
         self.controls = controls;
@@ -112,7 +119,7 @@ impl SiteFinder {
                 self.search(mesh, triangle, &home, smallest_chart, spacing, room)
             };
             self.picked.pick(&self.near, &home, bound, room, spacing);
-            self.write(&home, born_before, &mut lists);
+            self.write(&home, born_before, spacing, &mut lists);
         }
         lists
     }
@@ -168,12 +175,13 @@ impl SiteFinder {
     }
 
     /// Appends the list of a triangle.
-    fn write(&mut self, home: &Home, born_before: u32, lists: &mut SiteLists) {
+    fn write(&mut self, home: &Home, born_before: u32, spacing: f32, lists: &mut SiteLists) {
         let centroid = (home.frame.apex + Vec2::new(home.frame.length, 0.0)) / 3.0;
         let farthest = self.picked.sites().fold(Vec2::ZERO, |most, site| {
             most.max((site.now - centroid).abs()).max((site.before - centroid).abs())
         });
         let scale_cm = farthest.max_element() / FARTHEST_STEPS + f32::MIN_POSITIVE;
+        self.picked.merge_clumps(scale_cm, spacing);
         let first = lists.sites.len();
         for site in self.picked.sites() {
             let here = lists.heads.len() as u32;

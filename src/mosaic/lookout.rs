@@ -31,9 +31,9 @@ impl Lookout {
             }
             let images = charts.around(mesh, home as u32, radius);
             for image in images.iter().take_while(|image| image.distance <= radius) {
-                let (from, per_cm) = (image.triangle, image.to_barycentric());
+                let (from, per_cm) = (image.triangle, image.laid.to_barycentric());
                 let there = |place: Vec2| {
-                    let [b1, b2] = per_cm.map(|per_cm| per_cm.dot(place - image.origin));
+                    let [b1, b2] = per_cm.map(|per_cm| per_cm.dot(place - image.laid.origin));
                     mesh.frames[from as usize].point(b1, b2)
                 };
                 for row in rows.clone() {

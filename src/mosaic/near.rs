@@ -121,7 +121,7 @@ fn seen_from(mesh: &Mesh, charts: &mut Charts, now: Place, before: Place, radius
     match images.iter().find(|image| image.triangle == before.triangle) {
         None => Vec2::new(now.b1, now.b2),
         Some(image) => {
-            let point = image.origin + image.edge1 * before.b1 + image.edge2 * before.b2;
+            let point = image.laid.point(before.b1, before.b2);
             mesh.frames[now.triangle as usize].barycentric(point)
         }
     }
@@ -154,7 +154,7 @@ impl Near {
             let mut first = of.start;
             while first < of.end {
                 let (b1, b2) = bins.centroids(first - of.start);
-                let (x, y) = image.points(b1, b2);
+                let (x, y) = image.laid.points(b1, b2);
                 let mut near = rim.within(x, y, reach) & ((1 << (of.end - first).min(LANES)) - 1);
                 while near != 0 {
                     let bin = first + near.trailing_zeros() as usize;
@@ -193,10 +193,10 @@ impl Near {
         let [now_x, now_y, before_x, before_y] = &mut self.columns;
         let (mut row, mut to) = (rows.start, self.len);
         while row < rows.end {
-            let (x, y) = image.points(lanes(now_b1, row), lanes(now_b2, row));
+            let (x, y) = image.laid.points(lanes(now_b1, row), lanes(now_b2, row));
             *lanes_mut(now_x, to) = x.to_array();
             *lanes_mut(now_y, to) = y.to_array();
-            let (x, y) = image.points(lanes(before_b1, row), lanes(before_b2, row));
+            let (x, y) = image.laid.points(lanes(before_b1, row), lanes(before_b2, row));
             *lanes_mut(before_x, to) = x.to_array();
             *lanes_mut(before_y, to) = y.to_array();
             self.tags[to..to + LANES].copy_from_slice(&cells.tags[row..row + LANES]);

@@ -21,6 +21,8 @@ pub struct Picked {
     /// Of the middles of those ways from one point.
     distances: Vec<f32x4>,
     keep: Vec<u32>,
+    /// Of a grid, with the cell and its number among `sites`.
+    squares: Vec<([i32; 4], u32, usize)>,
 }
 
 /// How four sites go from the day before to now: the middle of each way, and half its length.
@@ -39,6 +41,15 @@ const NO_WAYS: FourWays =
 /// longer; smaller, and looking takes longer than what is saved.
 const PART_SPACINGS: f32 = 0.4;
 const MAX_PART_CUTS: usize = 10;
+
+/// Lists of more sites than this are long: those of their sites that lie within so many mean spacings of
+/// each other, half the width of a drawn border, are one.
+const LONG: usize = 255;
+const SAME_SPACINGS: f32 = 0.03;
+
+/// More sites than these the shader cannot tell apart: in a list of more, those are one that lie farther
+/// from each other, too.
+const MOST_SITES: usize = 1023;
 
 impl Picked {
     /// The sites whose polygons may reach into the triangle.
@@ -70,6 +81,41 @@ impl Picked {
             }
         }
         self.thin_out(home, room, spacing);
+    }
+
+    /// Where more cells crowd together than anybody can see, the youngest stands for those that lie beside it,
+    /// now and the day before. `step_cm`: nearer than this none can be told apart.
+    pub fn merge_clumps(&mut self, step_cm: f32, spacing: f32) {
+        let mut step_cm = step_cm;
+        loop {
+            let count = self.sites().count();
+            let is_long = count > LONG && step_cm < SAME_SPACINGS * spacing;
+            if !is_long && count <= MOST_SITES {
+                return;
+            }
+            self.merge(step_cm);
+            step_cm *= 2.0;
+        }
+    }
+
+    /// Keeps the youngest of the sites in each square of a grid.
+    fn merge(&mut self, step_cm: f32) {
+        let square = |site: &NearSite| {
+            [site.now.x, site.now.y, site.before.x, site.before.y].map(|x| (x / step_cm) as i32)
+        };
+        self.squares.clear();
+        for (k, site) in self.sites.iter().enumerate() {
+            if self.keep[k / LANES] & 1 << (k % LANES) != 0 {
+                self.squares.push((square(site), site.cell, k));
+            }
+        }
+        self.squares.sort_unstable();
+        for pair in self.squares.windows(2) {
+            let [(square, _, k), (next, ..)] = pair else { unreachable!("windows of two") };
+            if square == next {
+                self.keep[k / LANES] &= !(1 << (k % LANES));
+            }
+        }
     }
 
     fn add(&mut self, near: &Near, k: usize) {

@@ -92,7 +92,7 @@ fn sites_within(
         .flat_map(|image| {
             cells_of[image.triangle as usize].iter().map(|&cell| {
                 let place = places[cell as usize];
-                let point = image.origin + image.edge1 * place.b1 + image.edge2 * place.b2;
+                let point = image.laid.point(place.b1, place.b2);
                 Site { point, cell }
             })
         })

@@ -110,6 +110,7 @@ impl Worker {
     fn sow(&mut self, link: &str) -> Result<(Growth, Option<Noise>, usize), String> {
         let scene = link::read(link, self.plants).scene;
         let ground = self.ground(scene.plant)?;
+        self.grounds[ground].finder.begin();
         let surface = Arc::clone(&self.grounds[ground].surface);
         let (growth, noise) = scene.sow(surface).map_err(|why| why.to_string())?;
         Ok((growth, noise, ground))

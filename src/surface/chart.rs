@@ -12,14 +12,29 @@ pub struct Image {
     pub triangle: u32,
     /// In a chart: the image is no nearer to the home triangle than this, in centimetres.
     pub distance: f32,
-    /// Corner 0 in the home frame, and the edges from it to corners 1 and 2.
+    pub laid: Laid,
+}
+
+/// Where a triangle lies in a plane: its corner 0, and the edges from there to corners 1 and 2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Laid {
     pub origin: Vec2,
     pub edge1: Vec2,
     pub edge2: Vec2,
 }
 
-impl Image {
-    /// Four places of the triangle, given by their `b1` and `b2`, as points of the home plane.
+impl Laid {
+    /// With its corners at these points.
+    pub fn at([a, b, c]: [Vec2; 3]) -> Laid {
+        Laid { origin: a, edge1: b - a, edge2: c - a }
+    }
+
+    /// A place of the triangle, given by its `b1` and `b2`, as a point of the plane.
+    pub fn point(&self, b1: f32, b2: f32) -> Vec2 {
+        self.origin + self.edge1 * b1 + self.edge2 * b2
+    }
+
+    /// The same for four places.
     #[inline]
     pub fn points(&self, b1: f32x4, b2: f32x4) -> (f32x4, f32x4) {
         let at = |origin: f32, edge1: f32, edge2: f32| {
@@ -39,7 +54,7 @@ impl Image {
         self.origin + (self.edge1 + self.edge2) / 3.0
     }
 
-    /// What a vector of the home plane is to be multiplied with for its changes of `b1` and `b2`.
+    /// What a vector of the plane is to be multiplied with for its changes of `b1` and `b2`.
     pub fn to_barycentric(&self) -> [Vec2; 2] {
         let per_area = 1.0 / self.edge1.perp_dot(self.edge2);
         [Vec2::new(self.edge2.y, -self.edge2.x), Vec2::new(-self.edge1.y, self.edge1.x)]
@@ -193,7 +208,7 @@ impl Builder {
                 continue;
             }
             if seen.count > 0 {
-                let known = images[seen.copies[0] as usize].corners();
+                let known = images[seen.copies[0] as usize].laid.corners();
                 let frame = &mesh.frames[triangle as usize];
                 let near = SAME * frame.length.max(frame.apex.y);
                 if same_edge(known, entered, &portal, near) || !self.sees_through(number) {
@@ -263,8 +278,8 @@ impl Builder {
     }
 }
 
-pub(super) fn image(triangle: u32, distance: f32, [a, b, c]: [Vec2; 3]) -> Image {
-    Image { triangle, distance, origin: a, edge1: b - a, edge2: c - a }
+pub(super) fn image(triangle: u32, distance: f32, corners: [Vec2; 3]) -> Image {
+    Image { triangle, distance, laid: Laid::at(corners) }
 }
 
 /// Two images of a triangle that lie this near to each other, as a share of its size, count as one.

@@ -77,7 +77,7 @@ impl Fitting {
     /// Notes the corners of an image, in a lane of its four.
     fn take_up(&mut self, mesh: &Mesh, image: &Image, lane: usize, arms: &mut [Arms; 3]) {
         let vertices = mesh.triangles[image.triangle as usize];
-        let corners = image.corners();
+        let corners = image.laid.corners();
         let shape = mesh.frames[image.triangle as usize].corners();
         let centroid = (shape[1] + shape[2]) / 3.0;
         for (k, arm) in arms.iter_mut().enumerate() {

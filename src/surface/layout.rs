@@ -36,6 +36,10 @@ pub(super) struct Stretch {
 /// patch reaches around a narrow body, or over a sharp tip.
 const WIDEST_GAP: f32 = 0.3;
 
+/// Where torn patches may be wide, no way leads farther around them than so many reaches: on a crumpled body
+/// even the farthest triangle may come to lie near.
+const LONGEST_WAY: f32 = 2.0;
+
 /// A triangle that would keep less than this share of its area is not laid down.
 const LEAST_AREA: f32 = 0.3;
 
@@ -46,6 +50,14 @@ struct Portal {
     twin: u32,
     left: Vec2,
     right: Vec2,
+    /// How long the way was to its middle, from middle to middle, since it led out of the patch.
+    way: f32,
+}
+
+impl Portal {
+    fn middle(&self) -> Vec2 {
+        0.5 * (self.left + self.right)
+    }
 }
 
 /// A portal by its squared distance from the centre and its number, in one integer, which is the
@@ -70,6 +82,7 @@ const NONE: u32 = u32::MAX;
 pub(super) struct Layout<'a> {
     mesh: &'a Mesh,
     reach: f32,
+    longest_way: f32,
     /// Of the patch laid down last, its own triangles first.
     pub(super) images: Vec<Image>,
     pub(super) outline: Outline,
@@ -86,11 +99,12 @@ pub(super) struct Layout<'a> {
 }
 
 impl<'a> Layout<'a> {
-    pub(super) fn new(mesh: &'a Mesh, reach: f32) -> Layout<'a> {
+    pub(super) fn new(mesh: &'a Mesh, reach: f32, has_wide_torn: bool) -> Layout<'a> {
         Layout {
             mesh,
             // Room for what fitting shifts.
             reach: (1.0 + FLAT.most) * reach,
+            longest_way: if has_wide_torn { LONGEST_WAY * reach } else { f32::INFINITY },
             images: Vec::new(),
             outline: Outline::default(),
             image_of: vec![NONE; mesh.triangles.len()],
@@ -103,8 +117,9 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Lays down connected triangles and those around them: not all of those, if several are `Torn`.
-    pub(super) fn lay_out(&mut self, own: &[u32]) -> Fit {
+    /// Lays down connected triangles and those around them: not all of those, if they are found `Torn` and
+    /// that is not what they `may_be`.
+    pub(super) fn lay_out(&mut self, own: &[u32], may_be_torn: bool) -> Fit {
         for &t in own {
             self.is_own[t as usize] = true;
         }
@@ -112,9 +127,9 @@ impl<'a> Layout<'a> {
         let mut home = own[own.len() / 2];
         if own.len() > 2 {
             self.unfold_own(home);
-            let all: Vec2 = self.images.iter().map(Image::centroid).sum();
+            let all: Vec2 = self.images.iter().map(|image| image.laid.centroid()).sum();
             let middle = all / self.images.len() as f32;
-            let from_middle = |image: &Image| image.centroid().distance_squared(middle);
+            let from_middle = |image: &Image| image.laid.centroid().distance_squared(middle);
             let nearest =
                 self.images.iter().min_by(|a, b| from_middle(a).total_cmp(&from_middle(b)));
             home = nearest.map_or(home, |image| image.triangle);
@@ -126,7 +141,7 @@ impl<'a> Layout<'a> {
             self.image_of[t as usize] = k as u32;
         }
         self.outline = self.outline_of(own.len());
-        self.unfold_around(own.len() > 1);
+        self.unfold_around(!may_be_torn);
         let mut fit = Fit::Torn;
         if !self.is_torn {
             let unfitted = self.images.clone();
@@ -145,7 +160,7 @@ impl<'a> Layout<'a> {
     }
 
     fn outline_of(&self, own: usize) -> Outline {
-        Outline::around(self.images[..own].iter().flat_map(Image::corners))
+        Outline::around(self.images[..own].iter().flat_map(|image| image.laid.corners()))
     }
 
     /// Unfolds the own triangles from `home` on, and leaves the portals that lead out of them.
@@ -160,7 +175,7 @@ impl<'a> Layout<'a> {
         self.centre = (corners[0] + corners[1] + corners[2]) / 3.0;
         self.place(home, corners);
         for k in 0..3 {
-            self.push(3 * home + k as u32, &corners);
+            self.push(3 * home + k as u32, &corners, 0.0);
         }
         let mut outwards = Vec::new();
         while let Some(Reverse(waiting)) = self.waiting.pop() {
@@ -168,6 +183,7 @@ impl<'a> Layout<'a> {
             if self.is_own[portal.twin as usize / 3] {
                 self.enter(portal, |_, _| true);
             } else {
+                self.portals[waiting.portal()].way = 0.0;
                 outwards.push(Reverse(waiting));
             }
         }
@@ -179,9 +195,10 @@ impl<'a> Layout<'a> {
         while let Some(Reverse(waiting)) = self.waiting.pop()
             && !(until_torn && self.is_torn)
         {
-            self.enter(self.portals[waiting.portal()], |layout, edge| {
-                layout.outline.is_within(layout.reach, edge)
-            });
+            let portal = self.portals[waiting.portal()];
+            if portal.way <= self.longest_way {
+                self.enter(portal, |layout, edge| layout.outline.is_within(layout.reach, edge));
+            }
         }
     }
 
@@ -194,8 +211,10 @@ impl<'a> Layout<'a> {
         let corners = unfold(self.mesh, portal.twin as usize, portal.left, portal.right);
         self.place(triangle, corners);
         for k in [(entered + 1) % 3, (entered + 2) % 3] {
-            if goes_on(self, &[corners[(k + 1) % 3], corners[(k + 2) % 3]]) {
-                self.push(3 * triangle + k as u32, &corners);
+            let edge = [corners[(k + 1) % 3], corners[(k + 2) % 3]];
+            if goes_on(self, &edge) {
+                let way = portal.way + distance(portal.middle(), 0.5 * (edge[0] + edge[1]));
+                self.push(3 * triangle + k as u32, &corners, way);
             }
         }
     }
@@ -208,12 +227,12 @@ impl<'a> Layout<'a> {
             return false;
         };
         // The edge runs the other way seen from this side.
-        let (corners, widest) = (known.corners(), (WIDEST_GAP * self.reach).powi(2));
+        let (corners, widest) = (known.laid.corners(), WIDEST_GAP * self.reach);
         let gaps = [
             corners[(entered + 1) % 3].distance_squared(portal.left),
             corners[(entered + 2) % 3].distance_squared(portal.right),
         ];
-        self.is_torn |= gaps.iter().any(|&gap| gap > widest);
+        self.is_torn |= gaps.iter().any(|&gap| gap > widest * widest);
         true
     }
 
@@ -222,17 +241,17 @@ impl<'a> Layout<'a> {
         self.images.push(image(triangle, 0.0, corners));
     }
 
-    fn push(&mut self, half_edge: u32, corners: &[Vec2; 3]) {
+    fn push(&mut self, half_edge: u32, corners: &[Vec2; 3], way: f32) {
         let twin = self.mesh.twins[half_edge as usize];
         if twin == NO_TWIN {
             return;
         }
         let k = half_edge as usize % 3;
-        let portal = Portal { twin, left: corners[(k + 2) % 3], right: corners[(k + 1) % 3] };
+        let portal = Portal { twin, left: corners[(k + 2) % 3], right: corners[(k + 1) % 3], way };
         if self.meets_known(&portal) {
             return;
         }
-        let distance_squared = self.centre.distance_squared(0.5 * (portal.left + portal.right));
+        let distance_squared = self.centre.distance_squared(portal.middle());
         self.waiting.push(Reverse(Waiting::new(distance_squared, self.portals.len())));
         self.portals.push(portal);
     }
@@ -240,7 +259,7 @@ impl<'a> Layout<'a> {
     /// Whether no triangle lies on its back or nearly on edge.
     fn all_face_up(&self) -> bool {
         self.images.iter().all(|image| {
-            let area = 0.5 * image.edge1.perp_dot(image.edge2);
+            let area = 0.5 * image.laid.edge1.perp_dot(image.laid.edge2);
             area > LEAST_AREA * self.mesh.areas[image.triangle as usize]
         })
     }
@@ -250,7 +269,7 @@ impl<'a> Layout<'a> {
     fn is_flat(&self, own: usize) -> bool {
         let (mut sum, mut count) = (0.0, 0.0);
         for (number, image) in self.images.iter().enumerate() {
-            let corners = image.corners();
+            let corners = image.laid.corners();
             let shape = self.mesh.frames[image.triangle as usize].corners();
             for k in 0..3 {
                 let (from, to) = (corners[(k + 1) % 3], corners[(k + 2) % 3]);

@@ -176,7 +176,7 @@ fn has_area(positions: &[Vec3], t: &[u32; 3]) -> bool {
     (b - a).cross(c - a).length() > 1e-7 * longest && longest > 0.0
 }
 
-fn frame([a, b, c]: [Vec3; 3]) -> Frame {
+pub(super) fn frame([a, b, c]: [Vec3; 3]) -> Frame {
     let length = (b - a).length();
     let along = (b - a) / length;
     let x = (c - a).dot(along);

@@ -10,116 +10,129 @@ use std::ops::Range;
 /// Patches are not cut to less than this share of the reach in width for the sake of flatness.
 const SMALLEST_WIDTH: f32 = 0.5;
 
-/// Every triangle of a mesh in one patch.
-#[derive(Clone, Debug, Default)]
-pub struct Patches {
-    /// All triangles, patch by patch.
-    pub order: Vec<u32>,
-    pub patches: Vec<Patch>,
-    /// The images of all patches.
-    pub images: Vec<Image>,
-}
-
 /// Some connected triangles, laid down in one plane.
-#[derive(Clone, Debug)]
-pub struct Patch {
-    /// Its triangles, as a range of `order`.
-    pub own: Range<usize>,
-    /// Its triangles in the same order, and then those around it, as a range of `images`.
-    pub images: Range<usize>,
+#[derive(Clone, Copy, Debug)]
+pub struct Patch<'a> {
+    /// Its triangles in their order, and then those around it.
+    pub images: &'a [Image],
+    /// How many are its own.
+    pub own: usize,
     /// What its own triangles cover.
-    pub outline: Outline,
+    pub outline: &'a Outline,
 }
 
-impl Patches {
-    /// Cuts a mesh into patches of at most `area` (square centimetres) or one triangle, and unfolds
-    /// around each all triangles within `reach` (centimetres).
-    pub fn new(mesh: &Mesh, area: f32, reach: f32) -> Patches {
-        let count = mesh.triangles.len();
-        let mut cutter = Cutter {
-            mesh,
-            area,
-            reach,
-            layout: Layout::new(mesh, reach),
-            piece_of: vec![0; count],
-            pieces: 0,
-            found: Vec::with_capacity(count),
-            result: Patches {
-                order: (0..count as u32).collect(),
-                patches: Vec::new(),
-                images: Vec::new(),
-            },
-        };
-        cutter.cut(0..count);
-        cutter.result
+/// Cuts a mesh into patches of at most `area` (square centimetres) or one triangle, unfolds around
+/// each all triangles within `reach` (centimetres), and hands them to `take` one by one as long as that
+/// is true, so that nobody has to hold all of them. Every triangle is in one patch. Returns whether all
+/// were taken.
+///
+/// Where the reach leads around the body, or over bumps far smaller than it is, no patch lies flat with
+/// all that is around it. Such ones are cut down to single triangles, or, which costs less and is less
+/// exact, to squares of `torn_width` (in reaches).
+pub fn cut_into_patches(
+    mesh: &Mesh,
+    area: f32,
+    reach: f32,
+    torn_width: f32,
+    take: impl FnMut(Patch) -> bool,
+) -> bool {
+    let count = mesh.triangles.len();
+    let mut order: Vec<u32> = (0..count as u32).collect();
+    // Of one part none is looked for in another: bodies of very many parts are cut as quickly.
+    order.sort_by_key(|&t| mesh.parts[t as usize]);
+    let mut cutter = Cutter {
+        mesh,
+        area,
+        narrow_area: square(SMALLEST_WIDTH * reach),
+        torn_area: square(torn_width * reach),
+        layout: Layout::new(mesh, reach, torn_width > 0.0),
+        piece_of: vec![0; count],
+        pieces: 0,
+        found: Vec::with_capacity(count),
+        order,
+        take,
+    };
+    let mut end = 0;
+    while end < count {
+        let start = end;
+        let part = mesh.parts[cutter.order[start] as usize];
+        end += cutter.order[start..].partition_point(|&t| mesh.parts[t as usize] == part);
+        if cutter.cut(start..end).is_none() {
+            return false;
+        }
     }
+    true
+}
+
+fn square(length: f32) -> f32 {
+    length * length
 }
 
 /// Cuts pieces in two until each is a patch. Only lengths and neighbours count, never how the mesh
 /// stands in space: a folded sheet is cut like a flat one.
-struct Cutter<'a> {
+struct Cutter<'a, Take> {
     mesh: &'a Mesh,
+    /// Of a patch at most, in square centimetres.
     area: f32,
-    reach: f32,
+    /// Pieces of no more than these are patches though they are bent, or torn.
+    narrow_area: f32,
+    torn_area: f32,
     layout: Layout<'a>,
     /// For each triangle the number of the last piece that it was looked for in, as long as it has
     /// not been found.
     piece_of: Vec<u32>,
     pieces: u32,
     found: Vec<u32>,
-    result: Patches,
+    order: Vec<u32>,
+    take: Take,
 }
 
-impl Cutter<'_> {
-    fn cut(&mut self, piece: Range<usize>) {
-        let middle = piece.start + self.sort_by_steps(piece.clone());
-        self.cut_sorted(piece.start..middle);
-        if middle < piece.end {
-            self.cut(middle..piece.end);
+impl<Take: FnMut(Patch) -> bool> Cutter<'_, Take> {
+    /// Cuts a piece, as all here until nobody wants more.
+    fn cut(&mut self, mut piece: Range<usize>) -> Option<()> {
+        while !piece.is_empty() {
+            let middle = piece.start + self.sort_by_steps(piece.clone());
+            self.cut_sorted(piece.start..middle)?;
+            piece.start = middle;
         }
+        Some(())
     }
 
     /// Cuts a piece that is connected and sorted by steps.
-    fn cut_sorted(&mut self, piece: Range<usize>) {
-        let own = &self.result.order[piece.clone()];
+    fn cut_sorted(&mut self, piece: Range<usize>) -> Option<()> {
+        let own = &self.order[piece.clone()];
         let area: f32 = own.iter().map(|&t| self.mesh.areas[t as usize]).sum();
         if own.len() == 1 || area <= self.area {
-            let narrow = SMALLEST_WIDTH * self.reach;
-            let is_patch = match self.layout.lay_out(own) {
+            let may_be_torn = own.len() == 1 || area <= self.torn_area;
+            let is_patch = match self.layout.lay_out(own, may_be_torn) {
                 Fit::Flat => true,
                 // It is the reach that is bent then: a smaller patch would see the same.
-                Fit::Bent => area <= narrow * narrow,
-                Fit::Torn => false,
+                Fit::Bent => area <= self.narrow_area,
+                Fit::Torn => may_be_torn,
             };
             if is_patch || own.len() == 1 {
-                self.add(piece);
-                return;
+                return self.hand_over(own.len());
             }
         }
         // From the triangle that is farthest from the first, so that the cut is a short one.
-        self.result.order[piece.clone()].reverse();
+        self.order[piece.clone()].reverse();
         self.sort_by_steps(piece.clone());
         let mut rest = 0.5 * area;
-        let own = &self.result.order[piece.clone()];
+        let own = &self.order[piece.clone()];
         let before_half = own.iter().take_while(|&&t| {
             rest -= self.mesh.areas[t as usize];
             rest >= 0.0
         });
         let middle = piece.start + before_half.count().clamp(1, piece.len() - 1);
         // As far as the middle they stay as they are.
-        self.cut_sorted(piece.start..middle);
-        self.cut(middle..piece.end);
+        self.cut_sorted(piece.start..middle)?;
+        self.cut(middle..piece.end)
     }
 
-    /// Makes a patch of the piece that was laid down last.
-    fn add(&mut self, piece: Range<usize>) {
-        let first = self.result.images.len();
-        self.result.images.extend_from_slice(&self.layout.images);
-        self.result.patches.push(Patch {
-            own: piece,
-            images: first..self.result.images.len(),
-            outline: std::mem::take(&mut self.layout.outline),
-        });
+    /// Hands over what was laid down last.
+    fn hand_over(&mut self, own: usize) -> Option<()> {
+        let Layout { images, outline, .. } = &self.layout;
+        (self.take)(Patch { images, own, outline }).then_some(())
     }
 
     /// Sorts the triangles of a piece by the number of edges to be crossed from its first one; those
@@ -127,7 +140,7 @@ impl Cutter<'_> {
     fn sort_by_steps(&mut self, piece: Range<usize>) -> usize {
         self.pieces += 1;
         let number = self.pieces;
-        let order = &mut self.result.order[piece];
+        let order = &mut self.order[piece];
         for &t in order.iter() {
             self.piece_of[t as usize] = number;
         }
@@ -196,29 +209,40 @@ mod tests {
 
     /// A triangle's centroid in its patch and in space.
     fn centroids(mesh: &Mesh, image: &Image) -> (Vec2, Vec3) {
-        (image.centroid(), mesh.corners(image.triangle).iter().sum::<Vec3>() / 3.0)
+        (image.laid.centroid(), mesh.corners(image.triangle).iter().sum::<Vec3>() / 3.0)
+    }
+
+    /// A patch that is kept.
+    struct Kept {
+        images: Vec<Image>,
+        own: usize,
+    }
+
+    fn patches(mesh: &Mesh, area: f32, reach: f32, torn_width: f32) -> Vec<Kept> {
+        let mut all = Vec::new();
+        let keep = |patch: Patch| {
+            all.push(Kept { images: patch.images.to_vec(), own: patch.own });
+            true
+        };
+        assert!(cut_into_patches(mesh, area, reach, torn_width, keep));
+        all
     }
 
     #[test]
     fn every_triangle_is_in_one_patch() {
         let mesh = cap(12, 1.0);
-        for (area, reach) in [(2.0, 0.5), (20.0, 1.0), (1e9, 3.0)] {
-            let found = Patches::new(&mesh, area, reach);
-            let mut order = found.order.clone();
-            order.sort_unstable();
-            assert!(order.iter().copied().eq(0..mesh.triangles.len() as u32));
-            let mut next = 0;
-            for patch in &found.patches {
-                assert_eq!(patch.own.start, next);
-                next = patch.own.end;
-                let images = &found.images[patch.images.clone()];
-                let own = images.iter().take(patch.own.len()).map(|image| image.triangle);
-                assert!(own.eq(found.order[patch.own.clone()].iter().copied()));
-                let sum: f32 =
-                    found.order[patch.own.clone()].iter().map(|&t| mesh.areas[t as usize]).sum();
-                assert!(patch.own.len() == 1 || sum <= area);
+        for (area, reach, torn_width) in
+            [(2.0, 0.5, 0.0), (20.0, 1.0, 0.0), (1e9, 3.0, 0.0), (1e9, 40.0, 0.25)]
+        {
+            let mut all = Vec::new();
+            for patch in patches(&mesh, area, reach, torn_width) {
+                let own = patch.images.iter().take(patch.own).map(|image| image.triangle);
+                let sum: f32 = own.clone().map(|t| mesh.areas[t as usize]).sum();
+                assert!(patch.own == 1 || sum <= area);
+                all.extend(own);
             }
-            assert_eq!(next, mesh.triangles.len());
+            all.sort_unstable();
+            assert!(all.into_iter().eq(0..mesh.triangles.len() as u32));
         }
     }
 
@@ -226,12 +250,11 @@ mod tests {
     fn distances_in_a_patch_are_those_on_the_sphere() {
         let mesh = cap(24, 1.2);
         let reach = 1.5;
-        let found = Patches::new(&mesh, 12.0, reach);
-        assert!(found.patches.len() * 4 < mesh.triangles.len(), "patches of several triangles");
+        let found = patches(&mesh, 12.0, reach, 0.0);
+        assert!(found.len() * 4 < mesh.triangles.len(), "patches of several triangles");
         let (mut seen, mut error, mut worst) = (0, 0.0f32, 0.0f32);
-        for patch in &found.patches {
-            let images = &found.images[patch.images.clone()];
-            for own in &images[..patch.own.len()] {
+        for Kept { images, own } in &found {
+            for own in &images[..*own] {
                 let (at, point) = centroids(&mesh, own);
                 for t in 0..mesh.triangles.len() as u32 {
                     let other = mesh.corners(t).iter().sum::<Vec3>() / 3.0;
@@ -242,7 +265,7 @@ mod tests {
                     }
                     let image = images.iter().find(|image| image.triangle == t);
                     let image = image.expect("all within reach are in the patch");
-                    let stretch = (at.distance(image.centroid()) / way - 1.0).abs();
+                    let stretch = (at.distance(image.laid.centroid()) / way - 1.0).abs();
                     (seen, error, worst) = (seen + 1, error + stretch, worst.max(stretch));
                 }
             }
@@ -266,8 +289,30 @@ mod tests {
             .collect();
         let triangles = (0..5).map(|k| [k, (k + 1) % 5, 5]).collect();
         let mesh = Mesh::new(positions, Vec::new(), triangles).unwrap();
-        let found = Patches::new(&mesh, 1e9, 0.3);
-        assert_eq!(found.patches.len(), 5);
-        assert!(found.patches.iter().all(|patch| patch.images.len() >= 3), "with those beside it");
+        let found = patches(&mesh, 1e9, 0.3, 0.0);
+        assert_eq!(found.len(), 5);
+        assert!(found.iter().all(|patch| patch.images.len() >= 3), "with those beside it");
+    }
+
+    #[test]
+    fn where_the_reach_leads_around_the_body_torn_patches_are_few_and_see_all() {
+        let mesh = crate::surface::icosphere(3, 5.0);
+        let reach = mesh.area.sqrt();
+        let cut = |torn_width| patches(&mesh, 1e9, reach, torn_width);
+        assert_eq!(cut(0.0).len(), mesh.triangles.len(), "single triangles");
+        let few = cut(0.25);
+        assert!(few.len() < 64, "{}", few.len());
+        assert!(few.iter().all(|patch| patch.images.len() == mesh.triangles.len()));
+    }
+
+    #[test]
+    fn it_ends_when_no_more_patches_are_wanted() {
+        let mesh = cap(12, 1.0);
+        let mut taken = 0;
+        let all = cut_into_patches(&mesh, 2.0, 0.5, 0.0, |_| {
+            taken += 1;
+            taken < 3
+        });
+        assert!(!all && taken == 3);
     }
 }

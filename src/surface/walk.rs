@@ -1,13 +1,16 @@
 //! Straight walks over the surface: a step in the plane of one triangle goes on over its edges as
 //! if the neighbours were unfolded into that plane, and slides along the rim of an open surface.
 
-use super::lengths::normalized;
+use super::lengths::{length, normalized};
 use super::{Mesh, NO_TWIN, Place};
 use glam::Vec2;
 
-/// Edges that one step may cross. A relaxation step is at most half a repulsive radius long and
-/// crosses a few; a walk that comes this far is caught among slivers.
-const MAX_CROSSINGS: u32 = 64;
+/// Edges that one step may cross, and how many more for each mean edge of the mesh that it is long. A
+/// relaxation step is at most half a repulsive radius long and crosses a few; where cells are few it may
+/// lead halfway around the body, and through fans of narrow triangles. A walk that comes farther is caught
+/// among slivers.
+const MAX_CROSSINGS: usize = 64;
+const CROSSINGS_PER_EDGE: f32 = 64.0;
 
 /// No edge: the walk has just begun.
 const NONE: usize = 3;
@@ -39,7 +42,14 @@ fn walk_out(mesh: &Mesh, from: Place, step: Vec2) -> Step {
     let mut rest = step;
     let mut entered = NONE;
     let mut on_rim = false;
-    for _ in 0..MAX_CROSSINGS {
+    let mut most_crossings = MAX_CROSSINGS;
+    for crossings in 0.. {
+        if crossings == MAX_CROSSINGS {
+            most_crossings += (CROSSINGS_PER_EDGE * length(step) / mean_edge(mesh)) as usize;
+        }
+        if crossings == most_crossings {
+            break;
+        }
         let change = mesh.frames[triangle].barycentric(rest);
         let change = [-(change.x + change.y), change.x, change.y];
         let (exit, time) = first_exit(&b, &change, entered);
@@ -75,6 +85,11 @@ fn walk_out(mesh: &Mesh, from: Place, step: Vec2) -> Step {
         b[(entered + 2) % 3] = 1.0 - along;
     }
     Step { place: place(triangle, &b, &[0.0; 3]), caught: !on_rim }
+}
+
+/// The edge of a square of two triangles of mean area, in centimetres.
+fn mean_edge(mesh: &Mesh) -> f32 {
+    (2.0 * mesh.area / mesh.triangles.len() as f32).sqrt()
 }
 
 /// The edge through which the walk leaves its triangle first and when, with 1 the end of the step;

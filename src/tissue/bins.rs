@@ -50,6 +50,11 @@ impl Bins {
         triangle * self.in_triangle()..(triangle + 1) * self.in_triangle()
     }
 
+    /// The triangle of a bin, and the bin's number within it.
+    pub(super) fn triangle_of(&self, bin: u32) -> (usize, usize) {
+        (bin as usize / self.in_triangle(), bin as usize % self.in_triangle())
+    }
+
     /// The bin that a place lies in, where triangles stand in the order of their numbers.
     #[inline]
     pub fn bin(&self, place: Place) -> u32 {

@@ -57,7 +57,7 @@ impl Growth {
         let (lineage, places) = sow(&mesh, &recipe, controls, seed);
         let setting = Setting { mesh: &mesh, recipe: &recipe, controls };
         let clocks = Clocks::new(&setting, seed, &lineage, &places);
-        let mut growth = Growth {
+        Ok(Growth {
             diary: Diary { lineage, days: Vec::new() },
             crowd: Crowd::default(),
             ground: Ground::new(&mesh, &recipe, controls, places.len(), 0),
@@ -70,9 +70,7 @@ impl Growth {
             places,
             events: 0,
             full: false,
-        };
-        growth.settle();
-        Ok(growth)
+        })
     }
 
     /// From day 1 on, steps are turned along a direction field of the same mesh as far as the
@@ -101,6 +99,17 @@ impl Growth {
         self.unfolding_days.get(part as usize).copied().unwrap_or(0)
     }
 
+    /// So many threads share each relaxation event; one does it alone if nothing is said. The cells are
+    /// the same with any number.
+    ///
+    /// # Panics
+    /// If the system gives no threads.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn on_threads(mut self, threads: usize) -> Growth {
+        self.crowd.set_threads(threads);
+        self
+    }
+
     /// Does the next relaxation event; before the first one of a day, its divisions.
     pub fn step(&mut self) -> Progress {
         let day = self.diary.days.len();
@@ -114,13 +123,15 @@ impl Growth {
             if !self.divide(day) {
                 return Progress::Full;
             }
-            self.settle();
         }
         let events = match day {
             0 => self.recipe.initial_relaxations,
             _ => self.recipe.relaxations_per_day,
         };
         if self.events < events {
+            if self.events == 0 {
+                self.settle();
+            }
             let course = self.course.as_ref().filter(|_| day > 0);
             self.crowd.relax(&self.mesh, &self.ground, course);
             self.events += 1;
@@ -135,7 +146,7 @@ impl Growth {
     /// Walks that ended among slivers of the mesh instead of where they were going: 0 on a good
     /// mesh.
     pub fn caught_walks(&self) -> u64 {
-        self.crowd.caught_walks
+        self.crowd.caught_walks()
     }
 
     /// What fell due before the day divides. False when the population cap is reached: the
@@ -166,7 +177,8 @@ impl Growth {
     /// Writes the day down and renews the forces with the repulsive radius.
     fn end_day(&mut self) {
         let day = self.diary.days.len();
-        let mut places = self.crowd.places();
+        // Where nothing was moved no crowd was gathered.
+        let mut places = if self.events > 0 { self.crowd.places() } else { self.places.clone() };
         // Parts do not feel each other: what has not unfolded is simply put back.
         if day > 0 && !self.unfolding_days.is_empty() {
             for (place, before) in places.iter_mut().zip(&self.places) {

@@ -1,5 +1,6 @@
 //! Columns of numbers that are read and written four at a time, and how they are sorted.
 
+use std::ops::Range;
 use wide::{f32x4, u32x4, u64x2};
 
 /// Numbers that are worked on side by side.
@@ -79,11 +80,13 @@ pub(super) struct BinSort {
 }
 
 impl BinSort {
-    /// Those of one bin keep their order. `place` is called with each row's number before and after.
+    /// Sorts some of the rows, given by their bins. Those of one bin keep their order. `place` is called with
+    /// each row's number before and after.
     #[inline]
     pub(super) fn sort(
         &mut self,
         bins: &[u32],
+        rows: &[Range<usize>],
         bins_in_all: usize,
         mut place: impl FnMut(usize, usize),
     ) {
@@ -99,14 +102,20 @@ impl BinSort {
         let ranks = &mut self.ranks[..bins.len()];
         // Rows of one bin follow each other closely: to count on in memory has to be waited for, and is
         // done once.
-        for (&bin, rank) in bins.iter().zip(&mut *ranks) {
-            let count = &mut counts[bin as usize];
-            *rank = *count;
-            *count += 1;
+        for rows in rows {
+            for (&bin, rank) in bins[rows.clone()].iter().zip(&mut ranks[rows.clone()]) {
+                let count = &mut counts[bin as usize];
+                *rank = *count;
+                *count += 1;
+            }
         }
         sum_up(counts, starts);
-        for (row, (&bin, &rank)) in bins.iter().zip(&*ranks).enumerate() {
-            place(row, (one(starts, bin as usize) + rank) as usize);
+        for rows in rows {
+            for (k, (&bin, &rank)) in
+                bins[rows.clone()].iter().zip(&ranks[rows.clone()]).enumerate()
+            {
+                place(rows.start + k, (one(starts, bin as usize) + rank) as usize);
+            }
         }
     }
 }
@@ -154,7 +163,8 @@ mod tests {
         for (bins_in_all, count) in [(5, 12), (64, 1000), (7, 300), (1, 3), (64, 40)] {
             let bins: Vec<u32> = (0..count).map(|row| row * row * 31 % 101 % bins_in_all).collect();
             let mut sorted = vec![u32::MAX; bins.len()];
-            sorting.sort(&bins, bins_in_all as usize, |row, to| sorted[to] = row as u32);
+            let all = 0..bins.len();
+            sorting.sort(&bins, &[all], bins_in_all as usize, |row, to| sorted[to] = row as u32);
             let mut expected: Vec<u32> = (0..count).collect();
             expected.sort_by_key(|&row| bins[row as usize]);
             assert_eq!(sorted, expected);

@@ -7,6 +7,7 @@ mod control;
 mod course;
 mod diary;
 mod divide;
+mod event;
 mod expectation;
 mod forces;
 mod ground;

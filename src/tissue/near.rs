@@ -4,7 +4,7 @@
 use super::forces::{EIGHT, weigh};
 use super::lanes::{BinSort, LANES, copy, integers, lanes, lanes_mut, one, whole};
 use super::relax::{Row, four};
-use crate::surface::Image;
+use crate::surface::Laid;
 use glam::Vec2;
 use std::ops::Range;
 use wide::{f32x4, u32x4};
@@ -20,6 +20,10 @@ const BOXES_IN_WINDOW: usize = 2 * BOXES_PER_LOOK + 1;
 /// Where the look is as long as this many mean spacings, cells leave out the boxes of the farther row that
 /// the circle around them does not reach: to find those out is worth it where they hold many cells.
 const CROWDED_SPACINGS: f32 = 1.7;
+
+/// Boxes of a patch at most. Only where a triangle is far larger than the look is long does a patch cover so
+/// many; then boxes are made for twice the look, or more, and cells look at more others in vain.
+const MOST_BOXES: f32 = 65_536.0;
 
 /// The cells in and around one patch. All columns end with spare rows.
 #[derive(Clone, Debug, Default)]
@@ -94,7 +98,10 @@ impl Near {
         self.crowded = look_cm > CROWDED_SPACINGS * spacing_cm;
         self.low = low;
         self.per_cm = Vec2::new(BOXES_PER_LOOK as f32, 0.5) / look_cm;
-        let size = (high - low) * self.per_cm;
+        let mut size = (high - low) * self.per_cm;
+        while (size.x + 2.0) * (size.y + 2.0) > MOST_BOXES {
+            (self.per_cm, size) = (0.5 * self.per_cm, 0.5 * size);
+        }
         self.columns = size.x as usize + 2;
         self.boxes = (size.y as usize + 2) * self.columns;
     }
@@ -102,13 +109,13 @@ impl Near {
     /// Adds the cells of some rows, of one triangle. Whole fours are written, one even if there is no
     /// row: to go wrong about a branch would cost more. What is too much is overwritten by the next.
     #[inline]
-    pub(super) fn unfold(&mut self, all: &[Row], image: &Image, rows: Range<usize>) {
+    pub(super) fn unfold(&mut self, all: &[Row], laid: &Laid, rows: Range<usize>) {
         let mut row = rows.start;
         let mut to = self.len;
         self.len += rows.len();
         loop {
             let [b1, b2, kind, _] = four(all, row);
-            let (x, y) = image.points(b1, b2);
+            let (x, y) = laid.points(b1, b2);
             *lanes_mut(&mut self.unsorted.x, to) = x.to_array();
             *lanes_mut(&mut self.unsorted.y, to) = y.to_array();
             *lanes_mut(&mut self.unsorted.kind, to) = kind.to_array();
@@ -125,13 +132,13 @@ impl Near {
     pub(super) fn unfold_own(
         &mut self,
         all: &[Row],
-        image: &Image,
+        laid: &Laid,
         rows: Range<usize>,
         slot: usize,
         first_bin: usize,
     ) {
         let mut to = self.len;
-        self.unfold(all, image, rows);
+        self.unfold(all, laid, rows);
         self.own = self.len;
         let (slot, first_bin) = (u32x4::splat(slot as u32), u32x4::splat(first_bin as u32));
         loop {
@@ -178,7 +185,7 @@ impl Near {
         let Points { x, y, kind } = &self.unsorted;
         let (x, y, kind) = (&x[..], &y[..], &kind[..]);
         let (to_x, to_y, to_kind) = (&mut self.x[..], &mut self.y[..], &mut self.kind[..]);
-        self.sorting.sort(&self.box_of[..self.len], self.boxes, move |k, to| {
+        self.sorting.sort(&self.box_of, &[0..self.len], self.boxes, move |k, to| {
             // SAFETY: all columns are of the same length, at least `len`, as `reserve` made them.
             unsafe {
                 copy(x, k, to_x, to);
@@ -271,13 +278,7 @@ mod tests {
         let rows: Vec<[f32; 4]> = (0..CELLS + LANES)
             .map(|k| [place(k, 0.754_877_666), place(k, 0.569_840_291), 0.0, 0.0])
             .collect();
-        let image = Image {
-            triangle: 0,
-            distance: 0.0,
-            origin: Vec2::ZERO,
-            edge1: Vec2::X,
-            edge2: Vec2::Y,
-        };
+        let laid = Laid { origin: Vec2::ZERO, edge1: Vec2::X, edge2: Vec2::Y };
         let spacing_cm = (CELLS as f32).sqrt().recip();
         for looks in [2.0, 3.0, 4.5, 8.0] {
             let look_cm = looks * spacing_cm;
@@ -286,7 +287,7 @@ mod tests {
                 let mut near = Near::default();
                 near.reserve(CELLS);
                 near.begin(-margin, Vec2::ONE + margin, look_cm, spacing_cm);
-                near.unfold_own(bytemuck::cast_slice(&rows), &image, 0..CELLS, 0, 0);
+                near.unfold_own(bytemuck::cast_slice(&rows), &laid, 0..CELLS, 0, 0);
                 near.sort();
                 near
             };

@@ -2,7 +2,7 @@
 //! days, until the repulsive radius has become much smaller.
 
 use super::bins::Bins;
-use crate::surface::{Image, Mesh, Outline, Patches, Place};
+use crate::surface::{Image, Laid, Mesh, Outline, Patch, Place, cut_into_patches};
 use glam::Vec2;
 use std::ops::Range;
 
@@ -19,6 +19,32 @@ const PATCH_WIDTH_RADII: f32 = 4.0;
 /// and there are many more boxes than cells.
 const BOX_SPACINGS: f32 = 0.8;
 
+/// All patches have at most so many images, a third of a gigabyte. Where cells are few and the body is fine
+/// or rough, those of single triangles would have more, each of every other triangle. Cutting is given up
+/// early, where it has taken a twentieth and four times more than even shares come to until then.
+const MOST_IMAGES: Budget = Budget { images: 11e6, early_times: 4.0 };
+
+/// Then the body is smoothed for the layout, and torn patches get as wide as it takes, in reaches: wider,
+/// and for more cells the way around the body would be another than the shortest.
+const TORN_WIDTHS: [f32; 3] = [0.25, 0.5, 1.0];
+const MOST_TORN_IMAGES: Budget = Budget { images: 6e6, early_times: 1.0 };
+
+/// What the images of all patches may come to.
+#[derive(Clone, Copy, Debug)]
+struct Budget {
+    images: f32,
+    early_times: f32,
+}
+
+impl Budget {
+    const EARLY_SHARE: f32 = 0.05;
+
+    /// Whether to go on with so many images, after a share of all triangles.
+    fn lasts(&self, images: f32, done: f32) -> bool {
+        images <= self.images * (Budget::EARLY_SHARE + self.early_times * done).min(1.0)
+    }
+}
+
 /// A plan serves until the radius is this share of what it was made for.
 const SMALLEST_RADIUS: f32 = 0.7;
 
@@ -32,7 +58,9 @@ pub(super) struct Plan {
     pub(super) patches: Vec<Neighbourhood>,
     /// The triangles of the patches, in the order of the bins.
     pub(super) own: Vec<Own>,
-    pub(super) runs: Vec<Run>,
+    /// Whether torn patches may be wide, and the body is smoothed: then what is around them is in the order of
+    /// the bins, where one is found quickly.
+    pub(super) is_wide: bool,
     radius: f32,
     cells: usize,
 }
@@ -42,8 +70,8 @@ pub(super) struct Plan {
 pub(super) struct Neighbourhood {
     /// Its triangles, in the order of the bins.
     pub(super) own: Range<usize>,
-    /// The runs around it.
-    pub(super) around: Range<usize>,
+    /// What is around it.
+    pub(super) around: Box<[Run]>,
     /// The part of the plane in which all of this lies.
     pub(super) low: Vec2,
     pub(super) high: Vec2,
@@ -52,7 +80,7 @@ pub(super) struct Neighbourhood {
 /// A triangle of a patch, laid down in its plane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Own {
-    pub(super) image: Image,
+    pub(super) laid: Laid,
     /// What a vector of the plane is to be multiplied with for its changes of `b1` and `b2`.
     pub(super) to_barycentric: [Vec2; 2],
 }
@@ -62,7 +90,7 @@ pub(super) struct Own {
 pub(super) struct Run {
     pub(super) first_bin: u32,
     pub(super) end_bin: u32,
-    pub(super) image: Image,
+    pub(super) laid: Laid,
 }
 
 impl Plan {
@@ -71,6 +99,8 @@ impl Plan {
         let serves = (SMALLEST_RADIUS * self.radius..=self.radius).contains(&radius)
             && cells as f32 * SMALLEST_RADIUS * SMALLEST_RADIUS <= self.cells as f32;
         if !serves {
+            // Before the next one takes room, too.
+            *self = Plan::default();
             *self = Plan::new(mesh, cells, radius);
         }
     }
@@ -85,6 +115,15 @@ impl Plan {
         slots.start * self.bins.in_triangle()..slots.end * self.bins.in_triangle()
     }
 
+    /// The triangles of patches that follow each other, as a range of `order`.
+    pub(super) fn slots_of(&self, patches: &Range<usize>) -> Range<usize> {
+        let start = |patch: usize| match self.patches.get(patch) {
+            Some(patch) => patch.own.start,
+            None => self.order.len(),
+        };
+        start(patches.start)..start(patches.end)
+    }
+
     /// The bin that a place lies in.
     #[inline]
     pub(super) fn bin(&self, place: Place) -> u32 {
@@ -93,76 +132,120 @@ impl Plan {
     }
 
     fn new(mesh: &Mesh, cells: usize, radius: f32) -> Plan {
-        let bins = Bins::new(mesh, cells, CELLS_PER_BIN);
+        Plan::of_patches(mesh, cells, radius, 0.0, MOST_IMAGES).unwrap_or_else(|| {
+            let smooth = mesh.smoothed(radius);
+            let [widths @ .., widest] = TORN_WIDTHS;
+            let cut = |width, budget| Plan::of_patches(&smooth, cells, radius, width, budget);
+            let mut plans = widths.into_iter().filter_map(|width| cut(width, MOST_TORN_IMAGES));
+            let boundless = Budget { images: f32::INFINITY, early_times: 1.0 };
+            let plan = plans.next().or_else(|| cut(widest, boundless));
+            plan.expect("as many images as it takes")
+        })
+    }
+
+    /// The plan with torn patches so wide, in reaches, unless they have more images in all.
+    fn of_patches(
+        mesh: &Mesh,
+        cells: usize,
+        radius: f32,
+        torn_width: f32,
+        budget: Budget,
+    ) -> Option<Plan> {
         let area_per_cell = mesh.area / cells as f32;
         let width = PATCH_WIDTH_RADII * radius;
         let area = (CELLS_PER_PATCH * area_per_cell).max(width * width);
-        let Patches { order, patches, images } = Patches::new(mesh, area, radius);
-        let mut slot_of = vec![0; order.len()];
-        for (slot, &triangle) in order.iter().enumerate() {
-            slot_of[triangle as usize] = slot as u32;
-        }
+        let count = mesh.triangles.len();
         let mut plan = Plan {
-            own: Vec::with_capacity(order.len()),
-            patches: Vec::with_capacity(patches.len()),
-            runs: Vec::new(),
-            bins,
-            order,
-            slot_of,
+            bins: Bins::new(mesh, cells, CELLS_PER_BIN),
+            order: Vec::with_capacity(count),
+            slot_of: vec![0; count],
+            patches: Vec::new(),
+            own: Vec::with_capacity(count),
+            is_wide: torn_width > 0.0,
             radius,
             cells,
         };
-        for patch in patches {
-            let (own, around) = images[patch.images].split_at(patch.own.len());
-            plan.own.extend(
-                own.iter()
-                    .map(|image| Own { image: *image, to_barycentric: image.to_barycentric() }),
-            );
-            // Room for a box more than `look_cm` around, and for rounding.
-            let margin = Vec2::splat(1.5 * look_cm(mesh, cells, radius));
-            let (mut low, mut high) = (patch.outline.low - margin, patch.outline.high + margin);
-            let first = plan.runs.len();
-            for image in around {
-                plan.add_runs(image, &patch.outline, radius);
-            }
-            for run in &plan.runs[first..] {
-                let first_in_triangle = run.first_bin as usize % plan.bins.in_triangle();
-                let size = Vec2::splat(plan.bins.sizes[run.image.triangle as usize]);
-                for k in 0..(run.end_bin - run.first_bin) as usize {
-                    let (b1, b2) = plan.bins.centroid(first_in_triangle + k);
-                    let centroid = run.image.origin + run.image.edge1 * b1 + run.image.edge2 * b2;
-                    (low, high) = (low.min(centroid - size), high.max(centroid + size));
-                }
-            }
-            plan.patches.push(Neighbourhood {
-                own: patch.own,
-                around: first..plan.runs.len(),
-                low,
-                high,
-            });
+        let mut images = 0.0;
+        let is_whole = cut_into_patches(mesh, area, radius, torn_width, |patch| {
+            plan.add(mesh, patch);
+            images += patch.images.len() as f32;
+            budget.lasts(images, plan.order.len() as f32 / count as f32)
+        });
+
+        is_whole.then(|| plan.in_order())
+    }
+
+    /// Adds a patch. Triangles have no order yet: the runs around it are of the bins that those would
+    /// have in the order of the mesh.
+    fn add(&mut self, mesh: &Mesh, patch: Patch) {
+        let first = self.order.len();
+        let (own, images_around) = patch.images.split_at(patch.own);
+        for image in own {
+            self.slot_of[image.triangle as usize] = self.order.len() as u32;
+            self.order.push(image.triangle);
+            let laid = image.laid;
+            self.own.push(Own { laid, to_barycentric: laid.to_barycentric() });
         }
-        plan
+        let mut around = Vec::new();
+        for image in images_around {
+            self.add_runs(image, patch.outline, &mut around);
+        }
+        // Room for a box more than `look_cm` around, and for rounding.
+        let margin = Vec2::splat(1.5 * look_cm(mesh, self.cells, self.radius));
+        let (mut low, mut high) = (patch.outline.low - margin, patch.outline.high + margin);
+        for Run { first_bin, end_bin, laid } in &around {
+            let (triangle, first_in_triangle) = self.bins.triangle_of(*first_bin);
+            let size = Vec2::splat(self.bins.sizes[triangle]);
+            for k in 0..(end_bin - first_bin) as usize {
+                let (b1, b2) = self.bins.centroid(first_in_triangle + k);
+                let centroid = laid.point(b1, b2);
+                (low, high) = (low.min(centroid - size), high.max(centroid + size));
+            }
+        }
+        let (own, around) = (first..self.order.len(), around.into_boxed_slice());
+        self.patches.push(Neighbourhood { own, around, low, high });
     }
 
     /// Adds the bins of a triangle that come within the radius of a patch.
-    fn add_runs(&mut self, image: &Image, outline: &Outline, radius: f32) {
-        let of = self.bins.of(self.slot_of[image.triangle as usize] as usize);
-        let reach = radius + self.bins.sizes[image.triangle as usize];
+    fn add_runs(&self, image: &Image, outline: &Outline, runs: &mut Vec<Run>) {
+        let laid = image.laid;
+        let of = self.bins.of(image.triangle as usize);
+        let reach = self.radius + self.bins.sizes[image.triangle as usize];
         let mut last_bin = None;
         for bin in of.clone() {
             let (b1, b2) = self.bins.centroid(bin - of.start);
-            let centroid = image.origin + image.edge1 * b1 + image.edge2 * b2;
-            if self.bins.cuts > 1 && !outline.is_within(reach, &[centroid]) {
+            if self.bins.cuts > 1 && !outline.is_within(reach, &[laid.point(b1, b2)]) {
                 continue;
             }
-            if last_bin == Some(bin) {
-                self.runs.last_mut().expect("a run has begun").end_bin += 1;
-            } else {
-                let (first_bin, end_bin) = (bin as u32, bin as u32 + 1);
-                self.runs.push(Run { first_bin, end_bin, image: *image });
+            match runs.last_mut() {
+                Some(run) if last_bin == Some(bin) => run.end_bin += 1,
+                _ => runs.push(Run { first_bin: bin as u32, end_bin: bin as u32 + 1, laid }),
             }
             last_bin = Some(bin + 1);
         }
+    }
+
+    /// Gives the runs the bins of their triangles as these stand in the plan's order.
+    fn in_order(mut self) -> Plan {
+        for run in self.patches.iter_mut().flat_map(|patch| &mut patch.around) {
+            let (triangle, first_in_triangle) = self.bins.triangle_of(run.first_bin);
+            let first_bin = self.bins.of(self.slot_of[triangle] as usize).start + first_in_triangle;
+            run.end_bin = first_bin as u32 + (run.end_bin - run.first_bin);
+            run.first_bin = first_bin as u32;
+        }
+        if self.is_wide {
+            let around = self.patches.iter_mut().map(|patch| &mut patch.around);
+            around.for_each(|runs| runs.sort_unstable_by_key(|run| run.first_bin));
+        }
+        self
+    }
+}
+
+impl Neighbourhood {
+    /// The run around it that holds a bin; the plan must be wide.
+    pub(super) fn run_of(&self, bin: u32) -> Option<&Run> {
+        let after = self.around.partition_point(|run| run.first_bin <= bin);
+        after.checked_sub(1).map(|k| &self.around[k]).filter(|run| bin < run.end_bin)
     }
 }
 

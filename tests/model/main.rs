@@ -3,6 +3,7 @@
 
 mod controls;
 mod expectation;
+mod few_cells;
 mod field;
 mod forces;
 mod growth;
