@@ -76,8 +76,7 @@ fn grow_on(bytes: &[u8]) {
     let mesh = brought.body.surface;
     mesh.check().unwrap();
     assert!(mesh.area.is_normal());
-    let recipe =
-        r#"{"initial_cells":12, "days":2, "division_days":{"F":1.5,"B":2}, "relaxations_per_day":3}"#;
+    let recipe = r#"{"initial_cells":12, "days":2, "division_days":{"F":1.5,"B":2}, "relaxations_per_day":3}"#;
     let recipe = Recipe::from_json(recipe).unwrap();
     let mut growth = Growth::new(Arc::new(mesh), recipe, &[], 1).unwrap();
     while !matches!(growth.step(), Progress::Done | Progress::Full) {}
@@ -88,7 +87,7 @@ fn grow_on(bytes: &[u8]) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn any_bytes_are_a_body_or_an_error(bytes in vec(any::<u8>(), 0..400)) {

@@ -23,6 +23,9 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
     if subject.reading.is_some() && !options.json {
         say(&report.body.to_string())?;
     }
+    for warning in report.body.warnings() {
+        eprintln!("mosaic: {warning}");
+    }
     let started = Instant::now();
     let max_cells = subject.recipe.max_cells;
     let mut growth = subject.sow()?;
@@ -51,7 +54,7 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
     }
     report.seconds = growing.as_secs_f64();
     report.body.caught_walks = growth.caught_walks();
-    for warning in report.body.warnings() {
+    if let Some(warning) = report.body.warning_of_growth() {
         eprintln!("mosaic: {warning}");
     }
 

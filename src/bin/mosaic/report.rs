@@ -85,38 +85,33 @@ impl BodyLine {
     }
 
     /// What a caller should know who takes the file to be right.
-    pub fn warnings(&self) -> Vec<String> {
+    pub fn warnings(&self) -> impl Iterator<Item = String> {
         let told = [
             (
-                self.joined_edges as u64,
-                "joined: their ends are alike",
-                ["pair of rim edges was", "pairs of rim edges were"],
+                self.joined_edges,
+                "pair of rim edges was joined: its ends are the same",
+                "pairs of rim edges were joined: the ends of each are the same",
             ),
             (
-                self.left_out_triangles as u64,
-                "left out: no area, or there already",
-                ["triangle was", "triangles were"],
-            ),
-            (
-                self.caught_walks,
-                "cut short among slivers of the mesh",
-                ["step of a cell was", "steps of cells were"],
+                self.left_out_triangles,
+                "triangle was left out: it has no area or stands twice",
+                "triangles were left out: they have no area or stand twice",
             ),
         ];
         let told = told.into_iter().filter(|(count, ..)| *count > 0);
-        told.map(|(count, what, [one, many])| {
-            format!("{count} {} {what}", if count == 1 { one } else { many })
-        })
-        .collect()
+        told.map(|(count, one, many)| number(count, one, many))
+    }
+
+    /// The same after growing.
+    pub fn warning_of_growth(&self) -> Option<String> {
+        let count = self.caught_walks;
+        let what = "steps of cells were cut short among slivers of the mesh";
+        (count > 0).then(|| format!("{count} {what}"))
     }
 }
 
 impl fmt::Display for BodyLine {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let number = |count: usize, one: &str, many: &str| match count {
-            1 => format!("1 {one}"),
-            _ => format!("{count} {many}"),
-        };
         let rims = match self.rim_edges {
             0 => "closed".to_string(),
             count => number(count, "rim edge", "rim edges"),
@@ -162,4 +157,8 @@ impl fmt::Display for DayLine {
             self.fingerprint
         )
     }
+}
+
+fn number(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
 }
