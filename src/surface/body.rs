@@ -31,7 +31,7 @@ pub enum SurfaceError {
     NotFinite { vertex: u32 },
     #[error("the mesh has no surface: every triangle has an area of zero")]
     NoArea,
-    #[error("the mesh is too large: its area is not a finite number")]
+    #[error("the mesh is too large")]
     TooLarge,
     #[error("the mesh has no part that carries cells: all materials are bare")]
     AllBare,

@@ -48,7 +48,7 @@ impl Brought {
     ///
     /// Corners at exactly the same place that follow each other are one, faces that stand twice are
     /// taken once, rim edges are joined where exactly two have the same ends, and polygons that are not
-    /// convex are cut along their inside. The parts without cells stay as they are.
+    /// convex are cut along their inside. Of the parts without cells nothing is joined or left out.
     ///
     /// # Errors
     /// Another format, a line that is not well formed, a size (the longest side of the box around the
@@ -66,8 +66,8 @@ impl Brought {
         let same = stitch::same_places(&places);
         mesh.faces = stitch::once(patterned, &same);
         let joined_edges = stitch::join_rims(&mut mesh, &same);
-        cut::cut_hollow(&mut mesh);
         mesh.faces.extend(bare);
+        cut::cut_hollow(&mut mesh);
 
         let body = Body::new(&mesh)?;
         let left_out_triangles = named.saturating_sub(body.surface.triangles.len());

@@ -179,6 +179,7 @@ mod tests {
     fn no_triangle_reaches_over_the_rim_from_whichever_corner_it_begins() {
         let dart = [[0.0, 1.0], [-1.0, 0.0], [0.0, 2.0], [1.0, 0.0]];
         assert_cut(&dart, 1.0);
+        assert_cut(&[[0.0, 1.0], [-0.1, 0.0], [0.0, 2.0], [0.1, 0.0]], 0.1);
         let l = [[1.0, 1.0], [1.0, 2.0], [0.0, 2.0], [0.0, 0.0], [2.0, 0.0], [2.0, 1.0]];
         assert_cut(&l, 3.0);
         let star: Vec<[f32; 2]> = (0..10)

@@ -53,8 +53,9 @@ pub fn once(mut faces: Vec<Face>, same: &[u32]) -> Vec<Face> {
 /// tells how many pairs of rim edges are gone. The vertices of their ends become one; texture
 /// coordinates are dropped if these had different ones.
 ///
-/// Vertices at the same place without such an edge between them stay apart: petals that touch are not
-/// one.
+/// Vertices at the same place that no such edges lead to stay apart: petals that touch are not one. Where
+/// more than two rim edges have the same ends, two are one all the same if the edges around made their
+/// ends one.
 pub fn join_rims(mesh: &mut PolygonMesh, same: &[u32]) -> usize {
     let mut rims = rims(&mesh.faces);
     let before = rims.len();

@@ -4,7 +4,7 @@ use super::options::{FIRST_PLANT, GrowOptions, Source};
 use super::{Refusal, cannot};
 use clonal_mosaic::plants::{self, Plant};
 use clonal_mosaic::play::{FIRST_INDIVIDUAL, link};
-use clonal_mosaic::surface::{Brought, Mesh};
+use clonal_mosaic::surface::{Brought, Mesh, quoted};
 use clonal_mosaic::tissue::{Growth, Noise, Recipe};
 use glam::DVec3;
 use std::fs;
@@ -118,7 +118,7 @@ fn of_recipe(path: &Path, on_first_plant: bool) -> Result<Wish, Refusal> {
 fn plant(name: &str) -> Result<&'static Plant, Refusal> {
     plants::find(name).ok_or_else(|| {
         let known: Vec<&str> = plants::all().iter().map(|plant| plant.key).collect();
-        format!("there is no preset {name:?}: there are {}", known.join(", "))
+        format!("there is no preset {}: there are {}", quoted(name), known.join(", "))
     })
 }
 

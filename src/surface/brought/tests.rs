@@ -114,6 +114,10 @@ fn what_touches_without_a_free_edge_stays_apart() {
     let corner = beside(&indexed(&one), &indexed(&other));
     assert_eq!(numbers(&read(&corner)), [24, 2, 0, 0, 0]);
     assert_eq!(numbers(&read(&soup(&[one.clone(), other].concat()))), [24, 2, 0, 24, 0]);
+    // Two that have an edge in common: four rim edges have its ends, and those around tell which are one.
+    let edge = [cube([0, 0, 0]), cube([2, 2, 0])];
+    assert_eq!(numbers(&read(&soup(&edge.concat()))), [24, 2, 0, 24, 0]);
+    assert_eq!(numbers(&read(&beside(&indexed(&edge[0]), &indexed(&edge[1])))), [24, 2, 0, 0, 0]);
     let side = beside(&indexed(&one), &indexed(&beside_it));
     assert_eq!(numbers(&read(&side)), [24, 2, 0, 0, 0]);
     // Three sheets that meet in one edge.
@@ -221,4 +225,13 @@ fn parts_without_cells_neither_join_nor_count() {
     assert_eq!(numbers(&brought), [1, 1, 3, 0, 0]);
     assert_eq!(brought.body.ornaments[0].triangles.len(), 2);
     assert!(error(&format!("{square}usemtl bare:pot\nf 1 2 3\n")).contains("bare"));
+    let dart =
+        "v 0 1 0\nv -0.1 0 0\nv 0 2 0\nv 0.1 0 0\nv 0 0 1\nf 1 2 5\nusemtl bare:pot\nf 1 2 3 4\n";
+    let pot = &read(dart).body.ornaments[0];
+    let area = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|v| pot.positions[v as usize]);
+        0.5 * (b - a).cross(c - a).length()
+    };
+    let area: f32 = pot.triangles.iter().map(area).sum();
+    assert!((area - 0.1).abs() < 1e-6, "{area}");
 }
