@@ -53,6 +53,10 @@ pub struct Mesh {
 impl Mesh {
     /// Joins triangles to a mesh. Triangles without area are left out; edges that more than two
     /// triangles share, or that two share without a common orientation, count as rims.
+    ///
+    /// # Errors
+    /// Triangles without any area, or with so much that an f32 cannot hold its square. Bodies from 0.0001
+    /// to 1,000,000 cm across are far from both.
     pub fn new(
         positions: Vec<Vec3>,
         uvs: Vec<Vec2>,
@@ -70,6 +74,9 @@ impl Mesh {
         let turns = (0..twins.len()).map(|h| turn(&frames, &twins, h)).collect();
         let areas: Vec<f32> = frames.iter().map(|f| 0.5 * f.length * f.apex.y).collect();
         let area = areas.iter().map(|&a| f64::from(a)).sum::<f64>() as f32;
+        if !(area * area).is_finite() {
+            return Err(SurfaceError::TooLarge);
+        }
         let normals = vertex_normals(&positions, &triangles);
         Ok(Mesh { positions, normals, uvs, triangles, twins, parts, frames, turns, areas, area })
     }
@@ -273,4 +280,33 @@ fn turn(frames: &[Frame], twins: &[u32], h: usize) -> Vec2 {
     let (here, there) = (direction(h), -direction(twin));
     // The rotation from `here` to `there` as a complex number, there / here.
     normalized(Vec2::new(here.dot(there), here.perp_dot(there)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn areas_that_an_f32_cannot_hold_are_refused() {
+        let tetrahedron = |size: f32| {
+            let corners =
+                [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+            let positions = corners.map(|corner| Vec3::from(corner) * size).to_vec();
+            Mesh::new(positions, Vec::new(), vec![[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+        };
+        for power in -4..=6 {
+            let size = 10f64.powi(power);
+            let mesh = tetrahedron(size as f32).unwrap();
+            mesh.check().unwrap();
+            assert!((f64::from(mesh.area) / (8.0 * 3f64.sqrt() * size * size) - 1.0).abs() < 1e-6);
+            assert!(mesh.turns.iter().all(|turn| (turn.length() - 1.0).abs() < 1e-5));
+        }
+        for size in [3e18, 1e20, f32::INFINITY, f32::NAN, 1e-12, 0.0] {
+            let wrong = tetrahedron(size).unwrap_err();
+            assert!(
+                matches!(wrong, SurfaceError::TooLarge | SurfaceError::NoArea),
+                "{size}: {wrong}"
+            );
+        }
+    }
 }

@@ -1,23 +1,30 @@
 //! Where cells live: triangle meshes, their neighbours, and the ways across their edges.
 
 mod body;
+mod brought;
 mod chart;
+mod cut;
 mod cylinder;
 mod field;
 mod fitting;
+mod formats;
 mod layout;
 mod lengths;
 mod mesh;
 mod obj;
+mod obj_reader;
 mod outline;
 mod patches;
+mod quote;
 mod refine;
 mod sight;
 mod smooth;
 mod sphere;
+mod stitch;
 mod walk;
 
 pub use body::{Body, Ornament, SurfaceError};
+pub use brought::{Brought, BroughtError};
 pub use chart::{Charts, Image, Laid};
 pub use cylinder::{ControlImage, Cylinder, Wrap};
 pub use field::{DirectionField, FieldError, Guide};
@@ -26,5 +33,6 @@ pub use mesh::{Frame, Mesh, NO_TWIN, Place};
 pub use obj::{Face, Group, ObjError, PolygonMesh};
 pub use outline::Outline;
 pub use patches::{Patch, cut_into_patches};
+pub use quote::quoted;
 pub use sphere::icosphere;
 pub use walk::{Step, walk};

@@ -6,6 +6,7 @@ use super::subject::{self, Subject};
 use super::{Refusal, cannot, say};
 use clonal_mosaic::export::write_cells;
 use clonal_mosaic::tissue::{Diary, Growth, Progress};
+use glam::DVec3;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::time::{Duration, Instant};
@@ -18,11 +19,17 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
         None => None,
     };
 
+    let mut report = Report::new(&subject);
+    if subject.reading.is_some() && !options.json {
+        say(&report.body.to_string())?;
+    }
+    for warning in report.body.warnings() {
+        eprintln!("mosaic: {warning}");
+    }
     let started = Instant::now();
     let max_cells = subject.recipe.max_cells;
     let mut growth = subject.sow()?;
     let mut growing = started.elapsed();
-    let mut report = Report::new(subject.plant.map(|plant| plant.key), subject.individual);
     loop {
         let (progress, time) = next_day(&mut growth);
         growing += time;
@@ -46,12 +53,18 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
         }
     }
     report.seconds = growing.as_secs_f64();
+    report.body.caught_walks = growth.caught_walks();
+    if let Some(warning) = report.body.warning_of_growth() {
+        eprintln!("mosaic: {warning}");
+    }
 
     if let Some((path, file)) = &mut table {
         let mut out = BufWriter::new(file);
         let last = growth.diary.days.len() - 1;
         let painted = paint(&subject, &growth.diary, last);
-        write_cells(&subject.mesh, painted.as_ref().unwrap_or(&growth.diary), last, &mut out)
+        let origin = subject.reading.map_or(DVec3::ZERO, |reading| reading.origin);
+        let diary = painted.as_ref().unwrap_or(&growth.diary);
+        write_cells(&subject.mesh, origin, diary, last, &mut out)
             .and_then(|()| out.flush())
             .map_err(|e| cannot("write", path, &e))?;
     }
