@@ -3,6 +3,7 @@
 use super::data_texture::DataTexture;
 use super::diagram;
 use super::geometry::{Geometry, vein_lean};
+use super::model::Model;
 use super::pipelines::{DEPTH, Pipelines, SAMPLES};
 use super::scene::{SHADOW_SIDE, Scene};
 use super::{DrawError, Frame};
@@ -10,7 +11,6 @@ use crate::mosaic::SiteLists;
 use crate::plants::{Diagram, Look};
 use crate::surface::{Body, NO_TWIN};
 use bytemuck::Zeroable;
-use glam::Vec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
 /// Draws a body with its mosaic on a canvas.
@@ -41,20 +41,6 @@ pub struct Renderer {
 struct Screen {
     colour: wgpu::TextureView,
     depth: wgpu::TextureView,
-}
-
-/// A body on the graphics card.
-struct Model {
-    corners: wgpu::Buffer,
-    surface_corners: u32,
-    all_corners: u32,
-    ground: wgpu::Buffer,
-    ground_indices: wgpu::Buffer,
-    ground_index_count: u32,
-    ground_height: f32,
-    /// The lines of a diagram.
-    lines: Option<(wgpu::Buffer, u32)>,
-    shadow_is_stale: bool,
 }
 
 impl Renderer {
@@ -280,55 +266,6 @@ impl Drop for Screen {
     fn drop(&mut self) {
         self.colour.texture().destroy();
         self.depth.texture().destroy();
-    }
-}
-
-impl Model {
-    fn new(device: &wgpu::Device, geometry: &Geometry) -> Model {
-        let buffer = |contents, usage| {
-            device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
-        };
-        let vertices = wgpu::BufferUsages::VERTEX;
-        Model {
-            corners: buffer(bytemuck::cast_slice(&geometry.corners), vertices),
-            surface_corners: geometry.surface_corners,
-            all_corners: geometry.corners.len() as u32,
-            ground: buffer(bytemuck::cast_slice(&geometry.ground), vertices),
-            ground_indices: buffer(
-                bytemuck::cast_slice(&geometry.ground_triangles),
-                wgpu::BufferUsages::INDEX,
-            ),
-            ground_index_count: 3 * geometry.ground_triangles.len() as u32,
-            ground_height: geometry.bounds.ground().y,
-            lines: None,
-            shadow_is_stale: true,
-        }
-    }
-
-    fn set_lines(&mut self, device: &wgpu::Device, lines: &[[Vec3; 2]]) {
-        self.drop_lines();
-        // A buffer may not be empty.
-        self.lines = (!lines.is_empty()).then(|| {
-            let contents = bytemuck::cast_slice(lines);
-            let usage = wgpu::BufferUsages::VERTEX;
-            let descriptor = BufferInitDescriptor { label: None, contents, usage };
-            (device.create_buffer_init(&descriptor), lines.len() as u32)
-        });
-    }
-
-    fn drop_lines(&mut self) {
-        if let Some((lines, _)) = self.lines.take() {
-            lines.destroy();
-        }
-    }
-}
-
-impl Drop for Model {
-    fn drop(&mut self) {
-        self.drop_lines();
-        for buffer in [&self.corners, &self.ground, &self.ground_indices] {
-            buffer.destroy();
-        }
     }
 }
 
