@@ -14,11 +14,12 @@ use super::messages::Messages;
 use super::panel::Panel;
 use super::pointer::Pointer;
 use super::show::ShowChooser;
-use super::stage::Stage;
+use super::stage::{Drawn, Stage};
 use super::surroundings::{Surroundings, is_dark};
 use super::timeline::Timeline;
 use crate::draw::{DrawError, Renderer};
 use crate::plants;
+use crate::play::canvases::{Canvases, Loss};
 use crate::play::figures::{Figure, asked_figure};
 use crate::play::gallery;
 use crate::play::page::{Effect, Event, Page};
@@ -29,10 +30,6 @@ use wasm_bindgen_futures::spawn_local;
 
 /// Seconds that a frame counts at most: after a pause (a hidden tab) time goes on where it stopped.
 const LONGEST_S: f64 = 0.1;
-
-/// A device that is lost more often than this in `LOSSES_WITHIN_MS` is not asked for again.
-const MOST_LOSSES: usize = 4;
-const LOSSES_WITHIN_MS: f64 = 30_000.0;
 
 thread_local! {
     static APP: RefCell<Option<App>> = const { RefCell::new(None) };
@@ -53,8 +50,7 @@ struct App {
     controls: Controls,
     surroundings: Surroundings,
     frames: Frames,
-    /// When devices were lost, in milliseconds.
-    losses_ms: Vec<f64>,
+    canvases: Canvases,
     _pointer: Pointer,
     _keyboard: [Listener; 2],
     _link: Listener,
@@ -77,7 +73,7 @@ pub fn start() {
         controls: Controls::new(),
         surroundings: Surroundings::new(),
         frames: Frames::new(),
-        losses_ms: Vec::new(),
+        canvases: Canvases::default(),
         _pointer: Pointer::new(stage.element()),
         _keyboard: keyboard::listen(stage.element()),
         _link: on(&window(), "hashchange", |_: web_sys::Event| with(App::open_address)),
@@ -106,9 +102,14 @@ pub fn send(event: Event) {
     with(|app| app.hear(event));
 }
 
-/// The canvas to start a renderer on.
-pub fn canvas() -> Option<web_sys::HtmlCanvasElement> {
-    APP.with_borrow(|app| app.as_ref().map(|app| app.stage.canvas()))
+/// The canvas to start a renderer on, and its number.
+pub fn canvas() -> Option<(web_sys::HtmlCanvasElement, u32)> {
+    APP.with_borrow(|app| app.as_ref().map(|app| (app.stage.canvas(), app.canvases.current())))
+}
+
+/// Whether the canvas of this number is the one on the stage.
+pub fn is_current(canvas: u32) -> bool {
+    APP.with_borrow(|app| app.as_ref().is_some_and(|app| app.canvases.current() == canvas))
 }
 
 /// Puts a canvas on the stage that has not been drawn on.
@@ -116,7 +117,7 @@ pub fn renew_canvas() {
     with(|app| app.stage.renew_canvas());
 }
 
-/// The renderer of the canvas is there.
+/// The renderer of the current canvas is there.
 pub fn run(renderer: Renderer) {
     with(|app| {
         app.stage.run(renderer);
@@ -133,9 +134,10 @@ pub fn stay_still(message: &str) {
     });
 }
 
-/// The graphics device is lost or of no use: starts another.
-pub fn lost() {
-    with(App::lose);
+/// The graphics device of the canvas of this number is lost or of no use: starts another, unless
+/// that was done.
+pub fn lost(canvas: u32) {
+    with(|app| app.lose(canvas));
 }
 
 pub fn resized() {
@@ -331,19 +333,18 @@ impl App {
             let effects = self.page.hear(Event::Tick(seconds.min(LONGEST_S)));
             self.act(effects);
         }
-        let mut sharp = true;
-        match self.stage.bring(&self.page, is_dark(), seconds) {
-            Ok(Some(drawn)) => {
-                sharp = drawn.sharp;
-                let effects = self.page.hear(Event::Drawn { sharp });
-                self.act(effects);
-            }
-            Ok(None) => {}
+        let drawn = match self.stage.bring(&self.page, is_dark(), seconds) {
+            Ok(drawn) => drawn,
             Err(DrawError::TooLarge { .. }) => {
-                self.stage.stay_still();
-                self.messages.keep("These cells are more than this graphics card can hold.");
+                self.messages.also(backend::TOO_LARGE);
+                Some(Drawn { sharp: true })
             }
-            Err(_) => return self.lose(),
+            Err(_) => return self.lose(self.canvases.current()),
+        };
+        let sharp = drawn.is_none_or(|drawn| drawn.sharp);
+        if drawn.is_some() {
+            let effects = self.page.hear(Event::Drawn { sharp });
+            self.act(effects);
         }
         self.show();
         if self.page.is_moving() || !sharp {
@@ -361,28 +362,27 @@ impl App {
         match gallery.show(&mut self.stage, is_dark()) {
             Ok(true) => self.frames.ask(),
             Ok(false) => self.frames.rest(),
-            Err(_) => return self.lose(),
+            Err(_) => return self.lose(self.canvases.current()),
         }
         self.show_state();
     }
 
-    fn lose(&mut self) {
+    fn lose(&mut self, canvas: u32) {
         if self.stage.is_still() {
             return;
         }
-        let now_ms = js_sys::Date::now();
-        self.losses_ms.retain(|&ms| now_ms - ms < LOSSES_WITHIN_MS);
-        self.losses_ms.push(now_ms);
+        let loss = self.canvases.lose(canvas, js_sys::Date::now());
+        if loss == Loss::Old {
+            return;
+        }
         self.stage.renew_canvas();
         self.hear(Event::PictureLost);
-        if self.losses_ms.len() > MOST_LOSSES {
+        if loss == Loss::GiveUp {
             self.stage.stay_still();
-            self.messages.keep(
-                "The graphics card failed several times: here is a still picture. Load the page \
-                 again to try once more.",
-            );
+            self.messages.keep(backend::GIVEN_UP);
         } else {
-            spawn_local(backend::start_renderer(self.stage.canvas()));
+            let number = self.canvases.current();
+            spawn_local(backend::start_renderer(self.stage.canvas(), number));
         }
     }
 }

@@ -156,16 +156,24 @@ impl Gallery {
                 return Ok(true);
             }
             let mesh = self.brain.mesh(shown.scene.plant.mesh.name);
-            if stage.copy(&shown, mesh, dark, &picture.pen)? {
+            // What is too large is not drawn: the still stands in for it.
+            let (done, too_large) = match stage.copy(&shown, mesh, dark, &picture.pen) {
+                Err(DrawError::TooLarge { .. }) => (true, true),
+                drawn => (drawn?, false),
+            };
+            if done {
                 picture.drawn = Some((shown.generation, shown.day));
-                set_flag(&picture.element, "data-live", true);
+                set_flag(&picture.element, "data-live", !too_large);
             }
             let count = shown.facts.count;
             let shares = words::shares(shown.scene.plant, count);
             let cells = format!("{} cells, {shares}", words::grouped(count.cells));
             // What stands above it is true of the picture's own day.
             let is_own = shown.day == shown.scene.day;
-            let told = if is_own { cells } else { format!("Day {}: {cells}", shown.day) };
+            let mut told = if is_own { cells } else { format!("Day {}: {cells}", shown.day) };
+            if too_large {
+                told += ". This graphics card cannot hold so many: a still picture.";
+            }
             set_text(&picture.told, &told);
         }
         self.state = row.state(|shown, k| {

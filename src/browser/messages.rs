@@ -32,6 +32,12 @@ impl Messages {
         set_flag(&self.region, "hidden", self.list.child_element_count() == 0);
     }
 
+    /// Shows one message more, until others come.
+    pub fn also(&self, text: &str) {
+        self.add(text, false);
+        set_flag(&self.region, "hidden", false);
+    }
+
     /// Shows one message more, until it is dismissed.
     pub fn keep(&self, text: &str) {
         self.add(text, true);
@@ -39,6 +45,9 @@ impl Messages {
     }
 
     fn add(&self, text: &str, lasts: bool) {
+        if self.list.text_content().is_some_and(|told| told.contains(text)) {
+            return;
+        }
         if let Ok(item) = document().create_element("li") {
             item.set_text_content(Some(text));
             set_flag(&item, "data-lasts", lasts);

@@ -8,6 +8,7 @@ use crate::plants::{BodyError, Look, Plant, Show};
 use crate::play::camera::{Camera, Sphere};
 use crate::play::detail::Detail;
 use crate::play::gallery::ShownPicture;
+use crate::play::handed::{Handed, Part, Wanted};
 use crate::play::page::{Page, Shown};
 use crate::surface::Body;
 use wasm_bindgen::prelude::*;
@@ -27,6 +28,9 @@ pub struct Stage {
     body: Option<(&'static str, OnStage)>,
     /// What the renderer has been handed.
     handed: Handed,
+    /// The last frame that it drew of that, and in which size.
+    frame: Option<Frame>,
+    frame_px: (u32, u32),
     size_px: (u32, u32),
     detail: Detail,
     _resize: ResizeObserver,
@@ -70,17 +74,6 @@ struct Cells<'a> {
     lists: &'a SiteLists,
 }
 
-#[derive(Default)]
-struct Handed {
-    plant: Option<&'static str>,
-    look: Option<Look>,
-    show: Show,
-    /// Generation and day of the cells.
-    day: Option<(u32, u32)>,
-    frame: Option<Frame>,
-    size_px: (u32, u32),
-}
-
 /// That a picture stands on the stage, or would, where nothing can be drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawn {
@@ -104,6 +97,8 @@ impl Stage {
             graphics: Graphics::Starting,
             body: None,
             handed: Handed::default(),
+            frame: None,
+            frame_px: (0, 0),
             size_px: (0, 0),
             detail: Detail::new(false),
             _resize: resize,
@@ -135,6 +130,7 @@ impl Stage {
         self.detail = Detail::new(renderer.is_software());
         self.graphics = Graphics::Running(Box::new(renderer));
         self.handed = Handed::default();
+        self.frame = None;
     }
 
     /// Settles for the still picture.
@@ -163,11 +159,12 @@ impl Stage {
         let ratio = window().device_pixel_ratio().min(MOST_PIXEL_RATIO);
         let pixels = |css: i32| (f64::from(css) * ratio).round().max(1.0) as u32;
         self.size_px = (pixels(self.element.client_width()), pixels(self.element.client_height()));
-        self.handed.frame = None;
+        self.frame = None;
     }
 
     /// Brings the screen into agreement with the page, so many seconds after the frame before. Errors
-    /// if the device is of no use any more.
+    /// if the device is of no use any more, or, once for each picture, if that is too large for it:
+    /// the poster stands in for it then.
     pub fn bring(
         &mut self,
         page: &Page,
@@ -196,6 +193,9 @@ impl Stage {
             moment: shown.day.as_ref().map_or(1.0, |day| day.moment),
             size_px: self.size_px,
         };
+        if self.handed.refuses(&picture.wanted()) {
+            return Ok(Some(Drawn { sharp: true }));
+        }
         let drawn = self.portray(&picture, dark, Some(seconds))?;
         // Once more: with these cells the live picture may take the poster's place.
         self.show_poster(shown);
@@ -203,7 +203,8 @@ impl Stage {
     }
 
     /// Draws a picture of a figure and copies it to the canvas of `pen`, as large as that is. False
-    /// if nothing can be drawn now.
+    /// if nothing can be drawn now. Errors if the device is of no use any more, or if the picture is
+    /// too large for it.
     pub fn copy(
         &mut self,
         shown: &ShownPicture,
@@ -223,8 +224,8 @@ impl Stage {
             moment: 1.0,
             size_px: (canvas.width(), canvas.height()),
         };
-        self.handed.frame = None;
-        let drawn = self.portray(&picture, dark, None)?.is_some() && self.handed.frame.is_some();
+        self.frame = None;
+        let drawn = self.portray(&picture, dark, None)?.is_some() && self.frame.is_some();
         if drawn {
             pen.clear_rect(0.0, 0.0, f64::from(canvas.width()), f64::from(canvas.height()));
             // Fails only for an empty picture.
@@ -249,7 +250,8 @@ impl Stage {
         if let Graphics::None = self.graphics {
             return Ok(Some(Drawn { sharp: true }));
         }
-        let key = picture.plant.key;
+        let wanted = picture.wanted();
+        let key = wanted.plant;
         if self.body.as_ref().is_none_or(|(of, _)| *of != key) {
             // What is no mesh the worker tells.
             let on_stage = picture.mesh.and_then(|mesh| OnStage::of(picture.plant, mesh).ok());
@@ -260,28 +262,15 @@ impl Stage {
         else {
             return Ok(None);
         };
-        let handed = &mut self.handed;
-        if handed.plant != Some(key) || handed.look.as_ref() != Some(picture.look) {
-            renderer.set_body(&on_stage.body, &on_stage.geometry, picture.look);
-            let look = Some(picture.look.clone());
-            *handed = Handed { plant: Some(key), look, ..Handed::default() };
+        while let Some(part) = self.handed.lacks(&wanted) {
+            if let Err(too_large) = picture.hand(part, on_stage, renderer) {
+                self.handed.refuse(&wanted);
+                return Err(too_large);
+            }
+            self.handed.take(part, &wanted);
+            self.frame = None;
         }
-        if handed.show != picture.show {
-            let diagram = picture.show.diagram(picture.plant, &on_stage.body.surface);
-            renderer.set_diagram(&diagram)?;
-            handed.show = picture.show;
-            handed.frame = None;
-        }
-        if let Some(cells) = &picture.cells
-            && handed.day != Some((cells.generation, cells.day))
-        {
-            let area = on_stage.body.surface.area;
-            let mean_spacing_cm = (area / cells.count.max(1) as f32).sqrt();
-            renderer.set_sites(cells.lists, mean_spacing_cm)?;
-            handed.day = Some((cells.generation, cells.day));
-            handed.frame = None;
-        }
-        if handed.day.is_none() {
+        if !self.handed.has_cells() {
             // The poster stands there still; a frame of the bare body would only delay the first
             // one with cells.
             return Ok(Some(Drawn { sharp: true }));
@@ -293,21 +282,21 @@ impl Stage {
             moment: picture.moment,
             dark,
         };
-        let changes = handed.frame != Some(frame);
+        let changes = self.frame != Some(frame);
         let share = seconds.map_or(1.0, |seconds| self.detail.share(seconds, changes));
         let size_px = [width, height].map(|px| (f64::from(px) * share).round() as u32).into();
-        if changes || handed.size_px != size_px {
+        if changes || self.frame_px != size_px {
             renderer.resize(size_px.0, size_px.1);
             renderer.draw(&frame)?;
-            handed.frame = Some(frame);
-            handed.size_px = size_px;
+            self.frame = Some(frame);
+            self.frame_px = size_px;
         }
         Ok(Some(Drawn { sharp: size_px == picture.size_px }))
     }
 
     /// The poster stands in until cells are drawn.
     fn show_poster(&self, shown: &Shown) {
-        let live = matches!(self.graphics, Graphics::Running(_)) && self.handed.day.is_some();
+        let live = matches!(self.graphics, Graphics::Running(_)) && self.handed.has_cells();
         set_flag(&self.element, "data-live", live);
         if !live {
             let address = format!("posters/{}.avif", shown.plant);
@@ -322,6 +311,31 @@ impl Stage {
 impl Drop for Stage {
     fn drop(&mut self) {
         self._resize.disconnect();
+    }
+}
+
+impl Picture<'_> {
+    fn wanted(&self) -> Wanted<'_> {
+        let cells = self.cells.as_ref().map(|cells| (cells.generation, cells.day));
+        Wanted { plant: self.plant.key, look: self.look, show: self.show, cells }
+    }
+
+    /// Hands a part of it to the renderer. Errors if it is too large.
+    fn hand(&self, part: Part, on: &OnStage, renderer: &mut Renderer) -> Result<(), DrawError> {
+        match (part, &self.cells) {
+            (Part::Body, _) => renderer.set_body(&on.body, &on.geometry),
+            (Part::Look, _) => renderer.set_look(self.look, &on.geometry),
+            (Part::Show, _) => {
+                renderer.set_diagram(&self.show.diagram(self.plant, &on.body.surface))?;
+            }
+            (Part::Cells, Some(cells)) => {
+                let area = on.body.surface.area;
+                renderer.set_sites(cells.lists, (area / cells.count.max(1) as f32).sqrt())?;
+            }
+            // None are wanted.
+            (Part::Cells, None) => {}
+        }
+        Ok(())
     }
 }
 

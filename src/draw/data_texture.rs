@@ -77,3 +77,9 @@ impl DataTexture {
         queue.write_texture(target, bytes, layout, size);
     }
 }
+
+impl Drop for DataTexture {
+    fn drop(&mut self) {
+        self.texture.destroy();
+    }
+}

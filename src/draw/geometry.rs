@@ -47,6 +47,8 @@ pub struct Geometry {
     pub ground: Vec<GroundCorner>,
     pub ground_triangles: Vec<[u32; 3]>,
     pub bounds: Bounds,
+    /// The names of the bare materials, by their numbers.
+    pub materials: Vec<String>,
 }
 
 /// Radius of the ground disc, in radii of the body.
@@ -55,7 +57,7 @@ const GROUND_RINGS: u32 = 56;
 const GROUND_SECTORS: u32 = 96;
 
 /// The names of the bare materials of a body; what comes after the last place shares the first.
-pub fn materials(body: &Body) -> Vec<&str> {
+fn materials(body: &Body) -> Vec<&str> {
     let mut names: Vec<&str> = body.ornaments.iter().map(|part| part.material.as_str()).collect();
     names.sort_unstable();
     names.dedup();
@@ -91,7 +93,8 @@ impl Geometry {
             }));
         }
         let (ground, ground_triangles) = ground(&shade, &sky, &bounds);
-        Geometry { corners, surface_corners, ground, ground_triangles, bounds }
+        let materials = materials.into_iter().map(String::from).collect();
+        Geometry { corners, surface_corners, ground, ground_triangles, bounds, materials }
     }
 }
 

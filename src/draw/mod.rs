@@ -10,6 +10,7 @@
 mod data_texture;
 mod diagram;
 mod geometry;
+mod model;
 mod occlusion;
 mod pipelines;
 mod renderer;

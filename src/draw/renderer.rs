@@ -2,7 +2,8 @@
 
 use super::data_texture::DataTexture;
 use super::diagram;
-use super::geometry::{Geometry, materials, vein_lean};
+use super::geometry::{Geometry, vein_lean};
+use super::model::Model;
 use super::pipelines::{DEPTH, Pipelines, SAMPLES};
 use super::scene::{SHADOW_SIDE, Scene};
 use super::{DrawError, Frame};
@@ -10,10 +11,12 @@ use crate::mosaic::SiteLists;
 use crate::plants::{Diagram, Look};
 use crate::surface::{Body, NO_TWIN};
 use bytemuck::Zeroable;
-use glam::Vec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
 /// Draws a body with its mosaic on a canvas.
+///
+/// What is not needed any more is destroyed by hand: a browser would keep it until it collects its
+/// garbage, of which the memory of the graphics card is no part.
 pub struct Renderer {
     surface: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
@@ -39,23 +42,6 @@ struct Screen {
     colour: wgpu::TextureView,
     depth: wgpu::TextureView,
 }
-
-/// A body on the graphics card.
-struct Model {
-    corners: wgpu::Buffer,
-    surface_corners: u32,
-    all_corners: u32,
-    ground: wgpu::Buffer,
-    ground_indices: wgpu::Buffer,
-    ground_index_count: u32,
-    ground_height: f32,
-    /// The lines of a diagram.
-    lines: Option<(wgpu::Buffer, u32)>,
-    shadow_is_stale: bool,
-}
-
-/// Colour and gloss of a bare material that the look does not name.
-const PLAIN: ([f32; 3], f32) = ([0.55, 0.53, 0.50], 0.1);
 
 impl Renderer {
     /// Sets up everything that does not depend on body or size. `config` gives format, alpha mode
@@ -133,25 +119,26 @@ impl Renderer {
         self.adapter.device_type == wgpu::DeviceType::Cpu
     }
 
-    /// Shows a body, bare until its sites come: `set_sites` of the body before counts no more.
-    /// `geometry` is that of the body.
-    pub fn set_body(&mut self, body: &Body, geometry: &Geometry, look: &Look) {
+    /// Shows a body, bare until its sites come: `set_sites` of the body before counts no more, nor
+    /// does `set_look`. `geometry` is that of the body.
+    pub fn set_body(&mut self, body: &Body, geometry: &Geometry) {
         let sheet = body.surface.twins.contains(&NO_TWIN);
-        let lean = vein_lean(&body.surface);
-        self.scene.set_body(look, &geometry.bounds, lean, sheet);
-        for (number, name) in materials(body).iter().enumerate() {
-            let named = look.bare.iter().find(|(n, ..)| n == name);
-            let (colour, gloss) = named.map_or(PLAIN, |&(_, colour, gloss)| (colour, gloss));
-            self.scene.set_bare(number, colour, gloss);
-        }
+        self.scene.set_body(&geometry.bounds, vein_lean(&body.surface), sheet);
         self.model = Some(Model::new(&self.device, geometry));
         self.scene.set_diagram(&Diagram::default());
         self.heads = DataTexture::new(&self.device);
         self.bind_sites();
     }
 
+    /// Colours the body, whose geometry this is, and its cells: nothing but the numbers that every
+    /// frame takes along.
+    pub fn set_look(&mut self, look: &Look, geometry: &Geometry) {
+        self.scene.set_look(look, &geometry.materials);
+    }
+
     /// Draws a diagram in place of the cells, or, when it is empty, the cells; call it after
-    /// `set_body`, which shows the cells. Errors if it does not fit into the textures of this device.
+    /// `set_body`, which shows the cells. Errors if it does not fit into the textures of this device;
+    /// then nothing has changed.
     pub fn set_diagram(&mut self, diagram: &Diagram) -> Result<(), DrawError> {
         if self.covering.write(&self.device, &self.queue, &diagram::pack(diagram))? {
             self.bind_sites();
@@ -165,17 +152,18 @@ impl Renderer {
 
     /// Shows the cells of a day; call it after `set_body`. `mean_spacing_cm`: mean distance
     /// between neighbouring cells, `sqrt(area / cells)`. Errors if the lists do not fit into the
-    /// textures of this device; what was shown before may then be incomplete.
+    /// textures of this device; then the cells are none of any day, until others are set.
     pub fn set_sites(&mut self, lists: &SiteLists, mean_spacing_cm: f32) -> Result<(), DrawError> {
         self.scene.set_mean_spacing(mean_spacing_cm);
-        let heads_grew =
-            self.heads.write(&self.device, &self.queue, bytemuck::cast_slice(&lists.heads))?;
-        let sites_grew =
-            self.sites.write(&self.device, &self.queue, bytemuck::cast_slice(&lists.sites))?;
-        if heads_grew || sites_grew {
+        let (heads, sites) =
+            (bytemuck::cast_slice(&lists.heads), bytemuck::cast_slice(&lists.sites));
+        let heads_grew = self.heads.write(&self.device, &self.queue, heads);
+        let sites_grew = self.sites.write(&self.device, &self.queue, sites);
+        // Also where one of them is too large, the other may be a new texture.
+        if heads_grew != Ok(false) || sites_grew != Ok(false) {
             self.bind_sites();
         }
-        Ok(())
+        heads_grew.and(sites_grew).map(|_| ())
     }
 
     /// Gives the canvas a size in device pixels; sizes that the device cannot draw are cut down.
@@ -188,6 +176,8 @@ impl Renderer {
         (self.config.width, self.config.height) = size;
         self.scene.set_size(size.0, size.1);
         self.surface.configure(&self.device, &self.config);
+        // The old ones go before the new ones come.
+        self.screen = None;
         let make =
             |format| target(&self.device, size, format, SAMPLES, wgpu::TextureUsages::empty());
         self.screen = Some(Screen { colour: make(self.config.format), depth: make(DEPTH) });
@@ -264,43 +254,18 @@ impl Renderer {
         let textures = [&self.heads, &self.sites, &self.covering];
         self.sites_group = bind_sites(&self.device, &self.pipelines, textures);
     }
+}
 
-    /// Gives the device up, as if the system had taken it: for tests of what comes then.
-    pub fn lose(&self) {
+impl Drop for Renderer {
+    fn drop(&mut self) {
         self.device.destroy();
     }
 }
 
-impl Model {
-    fn new(device: &wgpu::Device, geometry: &Geometry) -> Model {
-        let buffer = |contents, usage| {
-            device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
-        };
-        let vertices = wgpu::BufferUsages::VERTEX;
-        Model {
-            corners: buffer(bytemuck::cast_slice(&geometry.corners), vertices),
-            surface_corners: geometry.surface_corners,
-            all_corners: geometry.corners.len() as u32,
-            ground: buffer(bytemuck::cast_slice(&geometry.ground), vertices),
-            ground_indices: buffer(
-                bytemuck::cast_slice(&geometry.ground_triangles),
-                wgpu::BufferUsages::INDEX,
-            ),
-            ground_index_count: 3 * geometry.ground_triangles.len() as u32,
-            ground_height: geometry.bounds.ground().y,
-            lines: None,
-            shadow_is_stale: true,
-        }
-    }
-
-    fn set_lines(&mut self, device: &wgpu::Device, lines: &[[Vec3; 2]]) {
-        // A buffer may not be empty.
-        self.lines = (!lines.is_empty()).then(|| {
-            let contents = bytemuck::cast_slice(lines);
-            let usage = wgpu::BufferUsages::VERTEX;
-            let descriptor = BufferInitDescriptor { label: None, contents, usage };
-            (device.create_buffer_init(&descriptor), lines.len() as u32)
-        });
+impl Drop for Screen {
+    fn drop(&mut self) {
+        self.colour.texture().destroy();
+        self.depth.texture().destroy();
     }
 }
 

@@ -12,6 +12,9 @@ pub const BARE_MATERIALS: usize = 16;
 /// daylight through a curtain.
 pub const SHADOW_SIDE: u32 = 1024;
 
+/// Colour and gloss of a bare material that the look does not name.
+const PLAIN: ([f32; 3], f32) = ([0.55, 0.53, 0.50], 0.1);
+
 /// `Scene` in `scene.wgsl`.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
@@ -31,16 +34,9 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Colours, materials and light for a body. `vein_lean` as `geometry::vein_lean` gives it;
-    /// `sheet`: the surface has rims, so that light comes through it.
-    pub fn set_body(&mut self, look: &Look, bounds: &Bounds, vein_lean: f32, sheet: bool) {
-        let even = |colour| linear(colour).map(f32::sqrt).extend(1.0);
-        self.cells = look.cells.map(even);
-        self.tinted = self.cells;
-        for &(kind, colour) in look.tinted {
-            self.tinted[kind as usize] = even(colour);
-        }
-        self.look = Vec4::new(look.variation, look.border, look.gloss, flag(look.veins));
+    /// Light and veins for a body. `vein_lean` as `geometry::vein_lean` gives it; `sheet`: the
+    /// surface has rims, so that light comes through it.
+    pub fn set_body(&mut self, bounds: &Bounds, vein_lean: f32, sheet: bool) {
         self.tissue.y = vein_lean;
         self.tissue.z = flag(sheet);
         self.ground = bounds.ground();
@@ -48,9 +44,21 @@ impl Scene {
         self.key_texel = key_direction().extend(2.0 * bounds.radius / SHADOW_SIDE as f32);
     }
 
-    /// Colour and gloss of a bare material by its number.
-    pub fn set_bare(&mut self, number: usize, srgb: [f32; 3], gloss: f32) {
-        self.bare[number] = linear(srgb).extend(gloss);
+    /// The colours of the cells and of the bare materials; `materials`: the names of those, by their
+    /// numbers.
+    pub fn set_look(&mut self, look: &Look, materials: &[String]) {
+        let even = |colour| linear(colour).map(f32::sqrt).extend(1.0);
+        self.cells = look.cells.map(even);
+        self.tinted = self.cells;
+        for &(kind, colour) in look.tinted {
+            self.tinted[kind as usize] = even(colour);
+        }
+        self.look = Vec4::new(look.variation, look.border, look.gloss, flag(look.veins));
+        for (bare, name) in self.bare.iter_mut().zip(materials) {
+            let named = look.bare.iter().find(|(n, ..)| n == name);
+            let (colour, gloss) = named.map_or(PLAIN, |&(_, colour, gloss)| (colour, gloss));
+            *bare = linear(colour).extend(gloss);
+        }
     }
 
     /// Mean distance between neighbouring cells, in centimetres.

@@ -2,10 +2,12 @@
 //! worker.
 
 pub mod camera;
+pub mod canvases;
 pub mod detail;
 mod events;
 pub mod figures;
 pub mod gallery;
+pub mod handed;
 mod history;
 pub mod link;
 mod meshes;

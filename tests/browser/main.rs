@@ -4,6 +4,7 @@
 //! `cargo test` skips these tests then, and says so.
 
 mod figures;
+mod graphics;
 mod journeys;
 mod ladder;
 mod measure;

@@ -1,0 +1,70 @@
+//! A body as it stands on the graphics card.
+
+use super::geometry::Geometry;
+use glam::Vec3;
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
+
+/// A body on the graphics card.
+pub struct Model {
+    pub corners: wgpu::Buffer,
+    pub surface_corners: u32,
+    pub all_corners: u32,
+    pub ground: wgpu::Buffer,
+    pub ground_indices: wgpu::Buffer,
+    pub ground_index_count: u32,
+    pub ground_height: f32,
+    /// The lines of a diagram.
+    pub lines: Option<(wgpu::Buffer, u32)>,
+    pub shadow_is_stale: bool,
+}
+
+impl Model {
+    /// Brings the corners of a body and of its ground there.
+    pub fn new(device: &wgpu::Device, geometry: &Geometry) -> Model {
+        let buffer = |contents, usage| {
+            device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
+        };
+        let vertices = wgpu::BufferUsages::VERTEX;
+        Model {
+            corners: buffer(bytemuck::cast_slice(&geometry.corners), vertices),
+            surface_corners: geometry.surface_corners,
+            all_corners: geometry.corners.len() as u32,
+            ground: buffer(bytemuck::cast_slice(&geometry.ground), vertices),
+            ground_indices: buffer(
+                bytemuck::cast_slice(&geometry.ground_triangles),
+                wgpu::BufferUsages::INDEX,
+            ),
+            ground_index_count: 3 * geometry.ground_triangles.len() as u32,
+            ground_height: geometry.bounds.ground().y,
+            lines: None,
+            shadow_is_stale: true,
+        }
+    }
+
+    /// Sets the lines of a diagram, in the place of those before.
+    pub fn set_lines(&mut self, device: &wgpu::Device, lines: &[[Vec3; 2]]) {
+        self.drop_lines();
+        // A buffer may not be empty.
+        self.lines = (!lines.is_empty()).then(|| {
+            let contents = bytemuck::cast_slice(lines);
+            let usage = wgpu::BufferUsages::VERTEX;
+            let descriptor = BufferInitDescriptor { label: None, contents, usage };
+            (device.create_buffer_init(&descriptor), lines.len() as u32)
+        });
+    }
+
+    fn drop_lines(&mut self) {
+        if let Some((lines, _)) = self.lines.take() {
+            lines.destroy();
+        }
+    }
+}
+
+impl Drop for Model {
+    fn drop(&mut self) {
+        self.drop_lines();
+        for buffer in [&self.corners, &self.ground, &self.ground_indices] {
+            buffer.destroy();
+        }
+    }
+}
