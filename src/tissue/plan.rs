@@ -29,6 +29,10 @@ const MOST_IMAGES: Budget = Budget { images: 11e6, early_times: 4.0 };
 const TORN_WIDTHS: [f32; 3] = [0.25, 0.5, 1.0];
 const MOST_TORN_IMAGES: Budget = Budget { images: 6e6, early_times: 1.0 };
 
+/// A reach whose square is so many times the area of the body sees all of it, but for the far ends of long
+/// bodies: nothing lies flat then, and to try it would take seconds.
+const SPAN: f32 = 1.05;
+
 /// What the images of all patches may come to.
 #[derive(Clone, Copy, Debug)]
 struct Budget {
@@ -132,7 +136,9 @@ impl Plan {
     }
 
     fn new(mesh: &Mesh, cells: usize, radius: f32) -> Plan {
-        Plan::of_patches(mesh, cells, radius, 0.0, MOST_IMAGES).unwrap_or_else(|| {
+        let spans_the_body = radius * radius > SPAN * mesh.area;
+        let fine = |()| Plan::of_patches(mesh, cells, radius, 0.0, MOST_IMAGES);
+        (!spans_the_body).then_some(()).and_then(fine).unwrap_or_else(|| {
             let smooth = mesh.smoothed(radius);
             let [widths @ .., widest] = TORN_WIDTHS;
             let cut = |width, budget| Plan::of_patches(&smooth, cells, radius, width, budget);
