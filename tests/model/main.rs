@@ -13,6 +13,7 @@ mod pattern;
 mod population;
 mod recipes;
 mod scaling;
+mod texts;
 mod walking;
 
 use clonal_mosaic::surface::{DirectionField, Mesh};

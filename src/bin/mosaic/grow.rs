@@ -1,22 +1,22 @@
 //! `mosaic grow`: grows a plant and tells each of its days.
 
 use super::options::GrowOptions;
+use super::output::{Target, say, try_say, warn};
 use super::report::{DayLine, Report};
 use super::subject::{self, Subject};
-use super::{Refusal, cannot, say};
+use super::{Refusal, progress};
 use clonal_mosaic::export::write_cells;
 use clonal_mosaic::tissue::{Diary, Growth, Progress};
-use std::fs::File;
-use std::io::{BufWriter, Write};
 use std::time::{Duration, Instant};
 
 pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
     let subject = subject::load(options)?;
-    // Opened first: nobody should wait for a plant that cannot be written down.
-    let mut table = match &options.cells {
-        Some(path) => Some((path, File::create(path).map_err(|e| cannot("write", path, &e))?)),
-        None => None,
-    };
+    // Tried first: nobody should wait for a plant that cannot be written down.
+    let table = options.cells.as_deref().map(Target::new).transpose()?;
+    // Where nobody reads on, there is still the table to write.
+    let print = |text: &str| if table.is_some() { try_say(text).map(drop) } else { say(text) };
+    let seen =
+        if options.json { progress::Progress::new() } else { progress::Progress::beside_lines() };
 
     let started = Instant::now();
     let max_cells = subject.recipe.max_cells;
@@ -30,16 +30,19 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
             Progress::Day(day) => {
                 let painted = paint(&subject, &growth.diary, day as usize);
                 let line = DayLine::of(painted.as_ref().unwrap_or(&growth.diary), day);
+                seen.clear();
                 if !options.json {
-                    say(&line.to_string())?;
+                    print(&line.to_string())?;
                 }
+                seen.tell(&format!("day {day} of {}", subject.recipe.days));
                 report.days.push(line);
             }
             Progress::Full => {
-                eprintln!(
-                    "mosaic: growth ends early, at the recipe's max_cells of {max_cells}; what \
-                     has grown is kept"
-                );
+                seen.clear();
+                warn(&format!(
+                    "growth ends early, at the recipe's max_cells of {max_cells}; what has grown is \
+                     kept"
+                ));
                 break;
             }
             Progress::Event | Progress::Done => break,
@@ -47,15 +50,14 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
     }
     report.seconds = growing.as_secs_f64();
 
-    if let Some((path, file)) = &mut table {
-        let mut out = BufWriter::new(file);
+    drop(seen);
+    if let Some(table) = table {
         let last = growth.diary.days.len() - 1;
         let painted = paint(&subject, &growth.diary, last);
-        write_cells(&subject.mesh, painted.as_ref().unwrap_or(&growth.diary), last, &mut out)
-            .and_then(|()| out.flush())
-            .map_err(|e| cannot("write", path, &e))?;
+        let diary = painted.as_ref().unwrap_or(&growth.diary);
+        table.write(|out| write_cells(&subject.mesh, diary, last, out))?;
     }
-    if options.json { say(&report.to_json()) } else { say(&report.summary()) }
+    say(&if options.json { report.to_json() } else { report.summary() })
 }
 
 /// A day in the types of the subject's noise, if it has one.
