@@ -2,15 +2,21 @@
 
 use crate::surface::Mesh;
 use crate::tissue::Diary;
+use glam::DVec3;
 use std::io::{self, Write};
 
 /// Writes the cells of a day as CSV, one row per cell in the order of birth.
 ///
 /// `id`, `parent` and `founder` are cell numbers (a first cell is its own parent), `type` is `F`,
-/// `B` or `M`, `part` and `triangle` are numbers of the mesh, `x`, `y`, `z` are in its units, and
-/// `born_day` is the day on which the cell was first there. Numbers are written with as many digits
-/// as it takes to read the same bits back.
-pub fn write_cells(mesh: &Mesh, diary: &Diary, day: usize, out: &mut impl Write) -> io::Result<()> {
+/// `B` or `M`, `part` and `triangle` are numbers of the mesh, `x`, `y`, `z` are the
+/// place in its units plus `origin`, and `born_day` is the day on which the cell was first there. Numbers are written with as many digits as it takes to read the same bits back.
+pub fn write_cells(
+    mesh: &Mesh,
+    origin: DVec3,
+    diary: &Diary,
+    day: usize,
+    out: &mut impl Write,
+) -> io::Result<()> {
     writeln!(out, "id,parent,founder,type,part,triangle,x,y,z,born_day")?;
     for (id, (place, cell)) in diary.days[day].places.iter().zip(&diary.lineage).enumerate() {
         let point = mesh.point(*place);
@@ -22,13 +28,18 @@ pub fn write_cells(mesh: &Mesh, diary: &Diary, day: usize, out: &mut impl Write)
             cell.kind.letter(),
             mesh.parts[place.triangle as usize],
             place.triangle,
-            point.x,
-            point.y,
-            point.z,
+            moved(point.x, origin.x),
+            moved(point.y, origin.y),
+            moved(point.z, origin.z),
             cell.born_day
         )?;
     }
     Ok(())
+}
+
+/// In the digits of an f32 where it stays one.
+fn moved(x: f32, by: f64) -> String {
+    if by == 0.0 { x.to_string() } else { (f64::from(x) + by).to_string() }
 }
 
 #[cfg(test)]
@@ -51,7 +62,7 @@ mod tests {
         let diary = Diary { lineage, days: vec![day(vec![first]), day(vec![first, second])] };
 
         let mut table = Vec::new();
-        write_cells(&mesh, &diary, 1, &mut table).unwrap();
+        write_cells(&mesh, DVec3::ZERO, &diary, 1, &mut table).unwrap();
         assert_eq!(
             String::from_utf8(table).unwrap(),
             "id,parent,founder,type,part,triangle,x,y,z,born_day\n\
@@ -60,7 +71,8 @@ mod tests {
         );
 
         let mut table = Vec::new();
-        write_cells(&mesh, &diary, 0, &mut table).unwrap();
-        assert_eq!(String::from_utf8(table).unwrap().lines().count(), 2, "a heading and a cell");
+        write_cells(&mesh, DVec3::new(0.0, 5e6, -1.0), &diary, 0, &mut table).unwrap();
+        let table = String::from_utf8(table).unwrap();
+        assert_eq!(table.lines().skip(1).collect::<Vec<_>>(), ["0,0,0,B,0,0,0.75,5000000.5,-1,0"]);
     }
 }

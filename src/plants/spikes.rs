@@ -5,9 +5,9 @@ use crate::surface::{Face, Group, PolygonMesh};
 use glam::Vec3;
 
 /// The number of a new, empty group of this bare material.
-pub fn new_group(mesh: &mut PolygonMesh, part: &str, material: &str) -> u16 {
+pub fn new_group(mesh: &mut PolygonMesh, part: &str, material: &str) -> u32 {
     mesh.groups.push(Group { part: part.to_string(), material: material.to_string() });
-    mesh.groups.len() as u16 - 1
+    mesh.groups.len() as u32 - 1
 }
 
 /// Takes the faces of a material out of a mesh.
@@ -21,7 +21,7 @@ pub fn take_faces(mesh: &mut PolygonMesh, material: &str) -> Vec<Face> {
 }
 
 /// A three-sided spike, open at its foot.
-pub fn spike(mesh: &mut PolygonMesh, foot: Vec3, to_tip: Vec3, radius_cm: f32, group: u16) {
+pub fn spike(mesh: &mut PolygonMesh, foot: Vec3, to_tip: Vec3, radius_cm: f32, group: u32) {
     let (a, b) = to_tip.normalize_or(Vec3::Y).any_orthonormal_pair();
     let first = mesh.positions.len() as u32;
     // The corners of an equilateral triangle.
@@ -32,7 +32,7 @@ pub fn spike(mesh: &mut PolygonMesh, foot: Vec3, to_tip: Vec3, radius_cm: f32, g
 }
 
 /// The sides of a pyramid on a base that runs counter-clockwise seen from its top.
-pub fn pyramid(mesh: &mut PolygonMesh, base: &[u32], top: Vec3, group: u16) {
+pub fn pyramid(mesh: &mut PolygonMesh, base: &[u32], top: Vec3, group: u32) {
     let apex = mesh.positions.len() as u32;
     mesh.positions.push(top);
     for (k, &corner) in base.iter().enumerate() {

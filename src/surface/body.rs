@@ -23,14 +23,16 @@ pub struct Ornament {
 }
 
 /// Why polygons do not make a body.
-#[derive(Debug, thiserror::Error, PartialEq)]
+#[derive(Clone, Debug, thiserror::Error, PartialEq)]
 pub enum SurfaceError {
-    #[error("a face names vertex {vertex}, but there are only {count}")]
+    #[error("a face names vertex {}, but there are only {count}", .vertex + 1)]
     NoSuchVertex { vertex: u32, count: usize },
-    #[error("vertex {vertex} is not a finite number")]
-    NotFinite { vertex: usize },
+    #[error("vertex {} is not a finite number", .vertex + 1)]
+    NotFinite { vertex: u32 },
     #[error("the mesh has no surface: every triangle has an area of zero")]
     NoArea,
+    #[error("the mesh is too large: its area is not a finite number")]
+    TooLarge,
     #[error("the mesh has no part that carries cells: all materials are bare")]
     AllBare,
 }
@@ -38,25 +40,26 @@ pub enum SurfaceError {
 impl Body {
     /// Splits the polygons into the patterned surface and the bare parts, cuts them into triangles
     /// and joins the triangles to their neighbours.
+    ///
+    /// # Errors
+    /// A face whose vertex is not there or not finite, and what `Mesh::new` refuses.
     pub fn new(polygons: &PolygonMesh) -> Result<Body, SurfaceError> {
         let count = polygons.positions.len();
-        if let Some(vertex) = polygons.positions.iter().position(|p| !p.is_finite()) {
-            return Err(SurfaceError::NotFinite { vertex });
-        }
         let mut triangles = vec![Vec::new(); polygons.groups.len().max(1)];
         for face in &polygons.faces {
-            if let Some(&vertex) = face.vertices.iter().find(|&&v| v as usize >= count) {
-                return Err(SurfaceError::NoSuchVertex { vertex, count });
+            for &vertex in &face.vertices {
+                match polygons.positions.get(vertex as usize) {
+                    None => return Err(SurfaceError::NoSuchVertex { vertex, count }),
+                    Some(p) if !p.is_finite() => return Err(SurfaceError::NotFinite { vertex }),
+                    Some(_) => {}
+                }
             }
             triangulate(&polygons.positions, &face.vertices, &mut triangles[face.group as usize]);
         }
-        let bare_name = |group: usize| {
-            polygons.groups.get(group).and_then(|g| g.material.strip_prefix("bare:"))
-        };
         let mut patterned = Vec::new();
         let mut ornaments = Vec::new();
         for (group, corners) in triangles.into_iter().enumerate() {
-            match bare_name(group) {
+            match polygons.bare_name(group) {
                 None => patterned.extend(corners),
                 Some(material) => ornaments.push(ornament(material, polygons, &corners)),
             }
@@ -119,9 +122,9 @@ impl Body {
     }
 }
 
-/// Cuts a polygon into triangles. Quads are cut along their shorter diagonal, larger polygons as a
-/// fan from their first corner.
-fn triangulate(positions: &[Vec3], corners: &[u32], out: &mut Vec<[u32; 3]>) {
+/// Cuts a convex polygon into triangles. Quads are cut along their shorter diagonal, larger polygons as
+/// a fan from their first corner.
+pub(super) fn triangulate(positions: &[Vec3], corners: &[u32], out: &mut Vec<[u32; 3]>) {
     let at = |k: usize| positions[corners[k] as usize];
     if corners.len() == 4 && at(1).distance_squared(at(3)) < at(0).distance_squared(at(2)) {
         out.push([corners[0], corners[1], corners[3]]);

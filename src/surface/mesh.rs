@@ -53,6 +53,10 @@ pub struct Mesh {
 impl Mesh {
     /// Joins triangles to a mesh. Triangles without area are left out; edges that more than two
     /// triangles share, or that two share without a common orientation, count as rims.
+    ///
+    /// # Errors
+    /// Triangles without any area, or whose areas overflow an f32. Bodies from 0.0001 to 1,000,000 cm
+    /// across are far from both.
     pub fn new(
         positions: Vec<Vec3>,
         uvs: Vec<Vec2>,
@@ -70,6 +74,9 @@ impl Mesh {
         let turns = (0..twins.len()).map(|h| turn(&frames, &twins, h)).collect();
         let areas: Vec<f32> = frames.iter().map(|f| 0.5 * f.length * f.apex.y).collect();
         let area = areas.iter().map(|&a| f64::from(a)).sum::<f64>() as f32;
+        if !area.is_finite() {
+            return Err(SurfaceError::TooLarge);
+        }
         let normals = vertex_normals(&positions, &triangles);
         Ok(Mesh { positions, normals, uvs, triangles, twins, parts, frames, turns, areas, area })
     }

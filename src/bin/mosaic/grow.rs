@@ -7,6 +7,7 @@ use super::subject::{self, Subject};
 use super::{Refusal, progress};
 use clonal_mosaic::export::write_cells;
 use clonal_mosaic::tissue::{Diary, Growth, Progress};
+use glam::DVec3;
 use std::time::{Duration, Instant};
 
 pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
@@ -18,11 +19,17 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
     let seen =
         if options.json { progress::Progress::new() } else { progress::Progress::beside_lines() };
 
+    let mut report = Report::new(&subject);
+    if subject.reading.is_some() && !options.json {
+        print(&report.body.to_string())?;
+    }
+    for warning in report.body.warnings() {
+        warn(&warning);
+    }
     let started = Instant::now();
     let max_cells = subject.recipe.max_cells;
     let mut growth = subject.sow()?;
     let mut growing = started.elapsed();
-    let mut report = Report::new(subject.plant.map(|plant| plant.key), subject.individual);
     loop {
         let (progress, time) = next_day(&mut growth);
         growing += time;
@@ -49,13 +56,18 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
         }
     }
     report.seconds = growing.as_secs_f64();
-
     drop(seen);
+    report.body.caught_walks = growth.caught_walks();
+    if let Some(warning) = report.body.warning_of_growth() {
+        warn(&warning);
+    }
+
     if let Some(table) = table {
         let last = growth.diary.days.len() - 1;
         let painted = paint(&subject, &growth.diary, last);
+        let origin = subject.reading.map_or(DVec3::ZERO, |reading| reading.origin);
         let diary = painted.as_ref().unwrap_or(&growth.diary);
-        table.write(|out| write_cells(&subject.mesh, diary, last, out))?;
+        table.write(|out| write_cells(&subject.mesh, origin, diary, last, out))?;
     }
     say(&if options.json { report.to_json() } else { report.summary() })
 }

@@ -5,8 +5,9 @@ use super::options::{FIRST_PLANT, GrowOptions, Source};
 use super::output::cannot;
 use clonal_mosaic::plants::{self, Plant};
 use clonal_mosaic::play::{FIRST_INDIVIDUAL, link};
-use clonal_mosaic::surface::{Body, Mesh, PolygonMesh, quoted};
+use clonal_mosaic::surface::{Brought, Mesh, quoted};
 use clonal_mosaic::tissue::{Growth, Noise, Recipe};
+use glam::DVec3;
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -15,6 +16,8 @@ pub struct Subject {
     /// The plant, or nothing for a recipe on a mesh of the caller's own.
     pub plant: Option<&'static Plant>,
     pub mesh: Arc<Mesh>,
+    /// How the caller's own mesh was read.
+    pub reading: Option<Reading>,
     /// The control images and the direction field of a plant belong to its own body alone.
     on_own_body: bool,
     /// Its `days` are the days to grow.
@@ -22,6 +25,15 @@ pub struct Subject {
     pub individual: u32,
     /// What the cells show instead of their own types.
     pub noise: Option<Noise>,
+}
+
+/// What was done to a mesh of the caller's own.
+#[derive(Clone, Copy)]
+pub struct Reading {
+    pub joined_edges: usize,
+    pub left_out_triangles: usize,
+    /// Where in the file's coordinates the mesh has its origin, in cm.
+    pub origin: DVec3,
 }
 
 impl Subject {
@@ -56,8 +68,8 @@ pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
         return Err(format!("--day is {day}, but this recipe ends at day {}", recipe.days));
     }
     recipe.days = day;
-    let mesh = match (&options.mesh, plant) {
-        (None, Some(plant)) => plant.embedded_body().surface,
+    let (mesh, reading) = match (&options.mesh, plant) {
+        (None, Some(plant)) => (plant.embedded_body().surface, None),
         (Some(path), _) => read_mesh(path)?,
         (None, None) => unreachable!("a recipe without a mesh has the first plant's body"),
     };
@@ -66,6 +78,7 @@ pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
         plant,
         noise: noise.then(|| Noise::new(&mesh, individual)),
         mesh: Arc::new(mesh),
+        reading,
         on_own_body: options.mesh.is_none(),
         recipe,
         individual,
@@ -115,9 +128,11 @@ fn plant(name: &str) -> Result<&'static Plant, Refusal> {
     })
 }
 
-fn read_mesh(path: &Path) -> Result<Mesh, Refusal> {
-    let polygons = PolygonMesh::parse(&read(path)?).map_err(|e| of_file(path, &e))?;
-    Ok(Body::new(&polygons).map_err(|e| of_file(path, &e))?.surface)
+fn read_mesh(path: &Path) -> Result<(Mesh, Option<Reading>), Refusal> {
+    let bytes = fs::read(path).map_err(|e| cannot("read", path, &e))?;
+    let Brought { body, origin, joined_edges, left_out_triangles } =
+        Brought::read(&bytes).map_err(|e| of_file(path, &e))?;
+    Ok((body.surface, Some(Reading { joined_edges, left_out_triangles, origin })))
 }
 
 fn read(path: &Path) -> Result<String, Refusal> {

@@ -35,7 +35,7 @@ impl Sketch {
 
     /// A polygon in the last group, counter-clockwise from outside.
     pub fn face(&mut self, vertices: &[u32]) {
-        let group = self.mesh.groups.len() as u16 - 1;
+        let group = self.mesh.groups.len() as u32 - 1;
         self.mesh.faces.push(Face { vertices: vertices.to_vec(), group });
     }
 
