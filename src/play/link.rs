@@ -90,36 +90,28 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
 
 /// What a sentence may have hung on the last number: a full stop, a bracket, a quotation mark.
 fn hangs_on(c: char) -> bool {
-    (c.is_ascii_punctuation() && c != '=') || " ”’»…".contains(c)
+    (c.is_ascii_punctuation() && c != '=') || matches!(c, ' ' | '”' | '’' | '»' | '…')
 }
 
-/// The words of a link and their values, each word once.
-fn known_words<'a>(query: &'a str, left_out: &mut Vec<String>) -> Vec<(&'a str, &'a str)> {
-    let mut known: Vec<(&str, &str)> = Vec::new();
-    let [mut unknown, mut again] = [(); 2].map(|()| Vec::new());
+/// A word of a link and its value, and both as they stand there.
+type Said<'a> = (&'a str, &'a str, &'a str);
+
+/// What a link says, each word once.
+fn known_words<'a>(query: &'a str, left_out: &mut Vec<String>) -> Vec<Said<'a>> {
+    let mut known: Vec<Said> = Vec::new();
+    let (mut unknown, mut again) = (Vec::new(), Vec::new());
     for pair in query.split('&').map(|p| p.trim_start_matches("amp;")).filter(|p| !p.is_empty()) {
         let (word, value) = pair.split_once('=').unwrap_or((pair, ""));
         if !WORDS.contains(&word) && Parameter::of_key(word).is_none() {
             unknown.push(pair);
-        } else if known.iter().any(|&(other, _)| other == word) {
+        } else if known.iter().any(|said| said.0 == word) {
             again.push(pair);
         } else {
-            known.push((word, value));
+            known.push((word, value, pair));
         }
     }
-    for (pairs, why) in
-        [(unknown, "unknown to this playground"), (again, "of each word the first counts")]
-    {
-        match pairs[..] {
-            [] => {}
-            [pair] => left_out.push(format!("{} was left out: {why}.", shown(pair))),
-            [pair, ref more @ ..] => left_out.push(format!(
-                "{} and {} more were left out: {why}.",
-                shown(pair),
-                more.len()
-            )),
-        }
-    }
+    leave_out(left_out, &unknown, "unknown to this playground");
+    leave_out(left_out, &again, "of each word the first counts");
     known
 }
 
@@ -127,13 +119,9 @@ fn known_words<'a>(query: &'a str, left_out: &mut Vec<String>) -> Vec<(&'a str, 
 const WORDS: [&str; 6] = ["v", INDIVIDUAL, "d", "noise", "show", "view"];
 
 /// Reads the words that are no parameters, and returns the day that is wished.
-fn read_words(
-    scene: &mut Scene,
-    words: &[(&str, &str)],
-    left_out: &mut Vec<String>,
-) -> Option<u32> {
+fn read_words(scene: &mut Scene, words: &[Said], left_out: &mut Vec<String>) -> Option<u32> {
     let mut wished_day = None;
-    for &(word, value) in words {
+    for &(word, value, pair) in words {
         let result = match word {
             "v" => check_version(value),
             INDIVIDUAL => whole(value).map(|n| scene.individual = n),
@@ -144,43 +132,43 @@ fn read_words(
             _ => Ok(()),
         };
         if let Err(why) = result {
-            left_out.push(refusal(word, value, &why));
+            leave_out(left_out, &[pair], &why);
         }
     }
     wished_day
 }
 
 /// Sets the parameters in the order of their table, whatever that of the link. Shares make room for
-/// each other, but not where both are named: what no longer fits is left out.
-fn read_parameters(scene: &mut Scene, words: &[(&str, &str)], left_out: &mut Vec<String>) {
-    let mut named: Vec<(&Parameter, f64)> = Vec::new();
+/// each other: where two that are named are more than 1 together, the second counts.
+fn read_parameters(scene: &mut Scene, words: &[Said], left_out: &mut Vec<String>) {
+    let mut named: Vec<(&Parameter, f64, &str)> = Vec::new();
     for parameter in PARAMETERS {
-        let Some(&(word, value)) = words.iter().find(|(word, _)| *word == parameter.key) else {
+        let Some(&(_, value, pair)) = words.iter().find(|said| said.0 == parameter.key) else {
             continue;
         };
-        let mut changed = scene.clone();
-        let result = number(value).and_then(|x| parameter.set(&mut changed, x)).and_then(|()| {
-            let has_moved = |(other, was): &&(&Parameter, f64)| {
-                // More than by the rounding of shares.
-                (other.get(&changed) - was).abs() > 1e-6
-            };
-            match named.iter().find(has_moved) {
-                Some((other, _)) => Err(format!("with {} it is more than 1", other.key)),
-                None => Ok(()),
-            }
-        });
-        match result {
-            Ok(()) => {
-                named.push((parameter, parameter.get(&changed)));
-                *scene = changed;
-            }
-            Err(why) => left_out.push(refusal(word, value, &why)),
+        if let Err(why) = number(value).and_then(|x| parameter.set(scene, x)) {
+            leave_out(left_out, &[pair], &why);
+            continue;
         }
+        for &(other, was, pair) in &named {
+            // By more than the rounding of shares.
+            if (other.get(scene) - was).abs() > 1e-6 {
+                let why = format!("with {} it is more than 1", parameter.key);
+                leave_out(left_out, &[pair], &why);
+            }
+        }
+        named.push((parameter, parameter.get(scene), pair));
     }
 }
 
-fn refusal(word: &str, value: &str, why: &str) -> String {
-    format!("{} was left out: {why}.", shown(&format!("{word}={value}")))
+/// Tells, on one line, that something was left out.
+fn leave_out(left_out: &mut Vec<String>, pairs: &[&str], why: &str) {
+    let Some(first) = pairs.first() else { return };
+    let what = match pairs.len() - 1 {
+        0 => "was".to_string(),
+        more => format!("and {more} more were"),
+    };
+    left_out.push(format!("{} {what} left out: {why}.", shown(first)));
 }
 
 fn check_version(value: &str) -> Result<(), String> {

@@ -112,10 +112,15 @@ proptest! {
         (scene.day, scene.noise) = (day.min(scene.recipe.days), noise);
         let opened = link::read(&link::write(&scene), plants::all());
         prop_assert!(opened.left_out.is_empty(), "{:?}", opened.left_out);
-        // All that decides the cells, to the last digit.
-        let Scene { recipe, individual, day, noise, .. } = opened.scene;
-        let of_scene = (scene.recipe, scene.individual, scene.day, scene.noise);
-        prop_assert_eq!(format!("{:?}", (recipe, individual, day, noise)), format!("{of_scene:?}"));
+        // All that decides the cells, to the last digit. But what a share leaves, where it was set to what
+        // the preset has, is there as it was written and not as it is reckoned.
+        let said = |scene: Scene| {
+            let Scene { mut recipe, individual, day, noise, .. } = scene;
+            let rows = recipe.mutation.iter_mut().chain([&mut recipe.initial_probability]);
+            rows.flatten().for_each(|share| *share = (*share * 1e12).round() / 1e12);
+            format!("{:?}", (recipe, individual, day, noise))
+        };
+        prop_assert_eq!(said(opened.scene), said(scene));
     }
 
     #[test]
