@@ -20,11 +20,56 @@ const ROOMS: [(&str, &[&str]); 9] = [
 /// The rooms whose results must be the same bits on every machine.
 const MODEL: [&str; 6] = ["surface", "tissue", "mosaic", "plants", "play", "export"];
 
-/// Functions of std's floats that differ between platforms; `libm` has the same ones.
-const PLATFORM_MATHS: [&str; 23] = [
-    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sin_cos", "sinh", "cosh", "tanh", "exp",
-    "exp2", "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "powf", "hypot", "asinh", "acosh",
+/// Functions of floats, of std and of `wide`, that differ between platforms or versions of the compiler.
+/// `libm` has most of them, and the others can be written out.
+const PLATFORM_MATHS: [&str; 39] = [
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "sin_cos",
+    "sinh",
+    "cosh",
+    "tanh",
+    "asinh",
+    "acosh",
+    "atanh",
+    "exp",
+    "exp2",
+    "exp_m1",
+    "ln",
+    "ln_1p",
+    "log",
+    "log2",
+    "log10",
+    "powf",
+    "powi",
+    "cbrt",
+    "hypot",
+    "gamma",
+    "ln_gamma",
+    "erf",
+    "erfc",
+    "recip",
+    "recip_sqrt",
+    "rsqrt",
+    "mul_add",
+    "mul_sub",
+    "mul_neg_add",
+    "mul_neg_sub",
+    "pow_f32x4",
+    "pow_f32x8",
 ];
+
+/// Collections whose order is another in each run: what is in them may be looked up, not walked through.
+const WITHOUT_ORDER: [&str; 2] = ["HashMap", "HashSet"];
+
+/// Methods of theirs that look something up, or put it there.
+const LOOK_UP: [&str; 9] =
+    ["get", "get_mut", "contains", "contains_key", "insert", "entry", "remove", "len", "is_empty"];
 
 /// What the model may not know: clocks, files, threads, the browser, the GPU.
 const OUTSIDE: [&str; 9] = [
@@ -73,15 +118,23 @@ fn the_model_uses_no_maths_of_the_platform() {
     let mut broken = Vec::new();
     for (path, code) in MODEL.into_iter().flat_map(room_sources) {
         for (number, line) in code.lines().enumerate() {
-            for name in PLATFORM_MATHS {
-                let forms = [format!(".{name}("), format!("f32::{name}"), format!("f64::{name}")];
-                if forms.iter().any(|form| holds_word(line, form)) {
-                    broken.push(format!("{}:{}: {}", path.display(), number + 1, line.trim()));
-                }
+            if PLATFORM_MATHS.iter().any(|name| calls(line, name)) {
+                broken.push(format!("{}:{}: {}", path.display(), number + 1, line.trim()));
             }
         }
     }
     assert!(broken.is_empty(), "use libm instead:\n{}", broken.join("\n"));
+}
+
+#[test]
+fn the_model_walks_through_nothing_that_has_no_order() {
+    let mut broken = Vec::new();
+    for (path, code) in MODEL.into_iter().flat_map(room_sources) {
+        for line in walks_without_order(&code) {
+            broken.push(format!("{}: {line}", path.display()));
+        }
+    }
+    assert!(broken.is_empty(), "sort, or take a BTreeMap:\n{}", broken.join("\n"));
 }
 
 #[test]
@@ -230,12 +283,60 @@ fn word(text: &str) -> String {
     text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
 }
 
-/// Whether `form` stands in the line as a whole word (so that `f32::exp` is not `f32::expect`).
-fn holds_word(line: &str, form: &str) -> bool {
-    line.match_indices(form).any(|(at, _)| {
-        form.ends_with('(')
-            || !line[at + form.len()..].starts_with(|c: char| c.is_alphanumeric() || c == '_')
+/// Where a name stands in a text as a whole word: what is before it and what behind.
+fn words<'a>(text: &'a str, name: &str) -> Vec<(&'a str, &'a str)> {
+    let is_of_word = |c: char| c.is_alphanumeric() || c == '_';
+    text.match_indices(name)
+        .map(|(at, _)| (&text[..at], &text[at + name.len()..]))
+        .filter(|(before, behind)| !before.ends_with(is_of_word) && !behind.starts_with(is_of_word))
+        .collect()
+}
+
+/// Whether a line calls or names a method, or a function of any path but `libm`.
+fn calls(line: &str, name: &str) -> bool {
+    words(line, name).into_iter().any(|(before, behind)| {
+        (before.ends_with('.') && behind.starts_with(['(', ':']))
+            || (before.ends_with("::") && !before.ends_with("libm::"))
     })
+}
+
+/// The lines that may walk through a collection without order: those that mention one and neither import it
+/// nor give it a name, and those in which such a name does anything but look up.
+fn walks_without_order(code: &str) -> Vec<&str> {
+    let mentions = |line: &&str| WITHOUT_ORDER.iter().any(|kind| !words(line, kind).is_empty());
+    let (mut broken, mut names) = (Vec::new(), Vec::new());
+    for line in code.lines().filter(mentions).filter(|line| !line.trim().starts_with("use ")) {
+        // `let mut name = HashMap::new()`, `name: HashMap<..>`, `name: &mut HashMap<..>`
+        let of_type =
+            line.split_once(": ").map(|(name, kind)| (name, kind.trim_start_matches("&mut ")));
+        let bound = line.split_once(" = ").filter(|(left, _)| !left.contains(": ")).or(of_type);
+        let is_bound = |kind: &str| WITHOUT_ORDER.iter().any(|other| kind.starts_with(other));
+        match bound {
+            Some((left, kind)) if is_bound(kind) => {
+                names.push(
+                    left.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or(""),
+                );
+            }
+            _ => broken.push(line.trim()),
+        }
+    }
+    for line in code.lines().filter(|line| !mentions(line)) {
+        let is_looked_up = |(before, behind): (&str, &str)| {
+            // A function of that name, or a field of something else.
+            let is_other =
+                behind.starts_with('(') || before.ends_with('.') && !before.ends_with("self.");
+            let is_given = before.ends_with("&mut ") && behind.starts_with([',', ')']);
+            let method = behind.strip_prefix('.').map(word);
+            is_other
+                || is_given
+                || behind.starts_with('[')
+                || method.is_some_and(|method| LOOK_UP.contains(&method.as_str()))
+        };
+        if names.iter().any(|name| !words(line, name).into_iter().all(is_looked_up)) {
+            broken.push(line.trim());
+        }
+    }
+    broken
 }
 
 #[test]
@@ -246,6 +347,32 @@ fn the_readers_of_this_file_see_what_they_should() {
     assert_eq!(production_code(text), "fn a() {} ");
     let declared = test_modules(Path::new("src/play/mod.rs"), "#[cfg(test)]\nmod a;\nmod b;");
     assert_eq!(declared, [Path::new("src/play/a"), Path::new("src/play/a.rs")]);
-    assert!(holds_word("x.sin()", ".sin(") && holds_word("map(f32::exp)", "f32::exp"));
-    assert!(!holds_word("f32::expect", "f32::exp") && !holds_word("libm::sin(x)", ".sin("));
+    for line in ["x.sin()", "map(f32::sin)", "x.sin().max(y)", "Float::sin(x)", "<f32>::sin(x)"] {
+        assert!(calls(line, "sin"), "{line}");
+    }
+    for line in
+        ["libm::sin(x)", "self.sin", "x.sinus()", "f32::since", "let sin = 3", "fn sin(x: f32)"]
+    {
+        assert!(!calls(line, "sin"), "{line}");
+    }
+    let start = "use std::collections::HashMap;\nlet mut seen = HashMap::new();\n";
+    for line in
+        ["seen.insert(1, 2);", "if seen.contains_key(&3) {", "f(3, &mut seen);", "x.seen(seen[&2])"]
+    {
+        assert_eq!(walks_without_order(&format!("{start}{line}")), [""; 0]);
+    }
+    for line in [
+        "for (a, b) in &seen {",
+        "for pair in seen {",
+        "for pair in &mut seen {",
+        "seen.iter().max()",
+        "seen.values().sum::<f32>()",
+        "let mut all = self.seen.into_iter();",
+        "Some(seen)",
+        "let all: HashMap<u32, u32> = f();\nall.drain()",
+        "fn f() -> HashMap<u32, u32> {",
+        "pairs.collect::<HashSet<_>>()",
+    ] {
+        assert_eq!(walks_without_order(&format!("{start}{line}")).len(), 1, "{line}");
+    }
 }

@@ -83,11 +83,19 @@ fn the_same_wish_is_the_same_however_it_is_said() {
     let first = days(json(&preset));
     assert_eq!(first, days(json(&preset)), "the same cells again");
     assert_eq!(first, days(json(&["grow", "--individual", "3", "--day", "2", "--json"])));
-    for link in ["croton?v=1&s=3&d=2", "#croton?v=1&s=3&d=2", "https://a.b/c/#croton?v=1&s=3&d=2"] {
+    for link in [
+        "croton?v=1&s=3&d=2",
+        "#croton?v=1&s=3&d=2",
+        "https://a.b/c/#croton?v=1&s=3&d=2",
+        "https://a.b/c/#croton?v=1&s=3&d=2).",
+        "https://a.b/c/%23croton%3Fv=1&s=3&d=2",
+    ] {
         assert_eq!(first, days(json(&["grow", "--link", link, "--json"])), "{link}");
     }
     let more = days(json(&["grow", "--link", "croton?v=1&s=3&d=0", "--day", "2", "--json"]));
     assert_eq!(first, more, "--day goes before the link's day");
+    let plain = ["grow", "--link", "https://a.b/c/", "--individual", "3", "--day", "2", "--json"];
+    assert_eq!(first, days(json(&plain)), "the page's own address");
     let sister = days(json(&["grow", "--individual", "0", "--day", "2", "--json"]));
     assert_ne!(first[2]["fingerprint"], sister[2]["fingerprint"]);
 }
@@ -129,13 +137,9 @@ fn a_recipe_needs_no_mesh_and_a_preset_may_have_one() {
     assert_eq!(run["days"].as_array().unwrap().len(), 2);
 }
 
-/// The standard output of a sweep, which tells its progress on the standard error.
+/// The standard output of a sweep.
 fn sweep(arguments: &[&str]) -> String {
-    let output = mosaic(&[&["figures"], arguments].concat());
-    let told = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success(), "{arguments:?}: {told}");
-    assert!(told.lines().all(|line| line.starts_with("mosaic: ")), "{told}");
-    String::from_utf8(output.stdout).unwrap()
+    succeed(&[&["figures"], arguments].concat())
 }
 
 #[test]
@@ -227,32 +231,29 @@ fn the_cap_is_told_and_what_has_grown_is_kept() {
 
 #[test]
 fn help_and_version_are_there() {
-    for arguments in
-        [&["--help"][..], &["help"], &["grow", "--help"], &["figures", "--help"], &["-h"]]
-    {
+    let grow =
+        ["--link", "--preset", "--recipe", "--mesh", "--individual", "--day", "--cells", "--json"];
+    let figures =
+        ["--figure", "--individuals", "--threads", "--shard", "--merge", "--csv", "--json"];
+    let all = ["grow", "figures", "bench", "Exit status"];
+    for (arguments, words) in [
+        (&["--help"][..], &all[..]),
+        (&["help"], &all),
+        (&["-h"], &all),
+        (&["grow", "--help"], &grow),
+        (&["help", "grow"], &grow),
+        (&["figures", "--help"], &figures),
+        (&["bench", "--help"], &["--runs"]),
+    ] {
         let help = succeed(arguments);
-        for option in [
-            "--link",
-            "--preset",
-            "--recipe",
-            "--mesh",
-            "--individual",
-            "--day",
-            "--cells",
-            "--json",
-            "--figure",
-            "--individuals",
-            "--threads",
-            "--shard",
-            "--merge",
-            "--csv",
-            "--runs",
-        ] {
-            assert!(help.contains(option), "{option} is not in the help");
+        for word in words {
+            assert!(help.contains(word), "{word} is not in the help of {arguments:?}:\n{help}");
         }
-        for plant in clonal_mosaic::plants::all() {
-            assert!(help.contains(plant.key), "{} is not in the help", plant.key);
-        }
+        assert!(help.lines().all(|line| line.chars().count() <= 120), "{help}");
+    }
+    let help = succeed(&["grow", "--help"]);
+    for plant in clonal_mosaic::plants::all() {
+        assert!(help.contains(plant.key), "{} is not in the help", plant.key);
     }
     assert!(succeed(&["--version"]).contains(env!("CARGO_PKG_VERSION")));
 }
@@ -313,12 +314,15 @@ fn wrong_input_is_refused_on_one_line() {
         (&["figures", "--json", "--csv"], "only one"),
         (&["bench", "--runs", "0"], "--runs is 0"),
         (&["bench", "fast"], "fast"),
+        (&["grow", "--link", "croton?v=1&s=1&\u{1b}]0;x\u{7}=3"], "unknown"),
+        (&["grow", "--individual", "\u{1b}[31m"], "--individual"),
     ] {
         let output = mosaic(arguments);
         let told = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {told}");
         assert!(output.stdout.is_empty(), "{arguments:?} printed something");
         assert_eq!(told.lines().count(), 1, "{arguments:?}: {told}");
+        assert!(!told.trim_end().contains(char::is_control), "{arguments:?}: {told:?}");
         assert!(told.contains(word), "{arguments:?} is refused with: {told}");
     }
 }

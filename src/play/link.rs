@@ -7,6 +7,7 @@ use super::camera::Orbit;
 use super::parameters::{PARAMETERS, Parameter};
 use super::scene::{FIRST_INDIVIDUAL, Scene};
 use crate::plants::{Plant, Show};
+use crate::surface::quoted;
 use glam::Vec2;
 use std::fmt::Write;
 
@@ -53,45 +54,28 @@ pub fn write(scene: &Scene) -> String {
 }
 
 /// Reads a link with or without its `#`: what is unknown or cannot be is left out and told, the rest
-/// is loaded. `plants` is the catalogue, its first plant the one that stands in.
+/// is loaded, and the order of its words does not matter. `plants` is the catalogue, its first plant
+/// the one that stands in.
 pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
     let text = decode(text.trim().trim_start_matches('#'));
-    let (name, query) = text.split_once('?').unwrap_or((&text, ""));
+    let text = text.trim_end_matches(hangs_on);
+    let (name, query) = text.split_once('?').unwrap_or((text, ""));
     let mut left_out = Vec::new();
     let plant = plants.iter().find(|p| p.key == name).unwrap_or_else(|| {
         if !name.is_empty() {
             left_out.push(format!(
-                "There is no plant called “{}” here: the {} stands in its place.",
-                shortened(name),
+                "There is no plant called {} here: the {} stands in its place.",
+                shown(name),
                 plants[0].name.to_ascii_lowercase()
             ));
         }
         &plants[0]
     });
     let mut scene = Scene::preset(plant, FIRST_INDIVIDUAL);
-    let mut wished_day = None;
-    let mut seen: Vec<&str> = Vec::new();
-    for pair in query.split('&').map(|p| p.trim_start_matches("amp;")).filter(|p| !p.is_empty()) {
-        let (key, value) = pair.split_once('=').unwrap_or((pair, ""));
-        let result = if seen.contains(&key) {
-            Err("it stands twice, and the first counts".to_string())
-        } else {
-            match key {
-                "v" => check_version(value),
-                INDIVIDUAL => whole(value).map(|n| scene.individual = n),
-                "d" => day(value).map(|n| wished_day = Some(n)),
-                "noise" => switch(value).map(|on| scene.noise = on),
-                "show" => read_show(plant, value).map(|show| scene.show = show),
-                "view" => read_orbit(value).map(|orbit| scene.orbit = orbit),
-                _ => read_parameter(&mut scene, key, value),
-            }
-        };
-        seen.push(key);
-        if let Err(why) = result {
-            left_out.push(format!("“{}” was left out: {why}.", shortened(pair)));
-        }
-    }
-    // The last day may have come after the wished one.
+    let words = known_words(query, &mut left_out);
+    let wished_day = read_words(&mut scene, &words, &mut left_out);
+    read_parameters(&mut scene, &words, &mut left_out);
+    // How many days there are may have been said after the wished one.
     if let Some(day) = wished_day {
         scene.day = day.min(scene.recipe.days);
         if day > scene.recipe.days {
@@ -104,19 +88,95 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
     Opened { scene, left_out }
 }
 
+/// What a sentence may have hung on the last number: a full stop, a bracket, a quotation mark.
+fn hangs_on(c: char) -> bool {
+    (c.is_ascii_punctuation() && c != '=') || matches!(c, ' ' | '”' | '’' | '»' | '…')
+}
+
+/// A word of a link and its value, and both as they stand there.
+type Said<'a> = (&'a str, &'a str, &'a str);
+
+/// What a link says, each word once.
+fn known_words<'a>(query: &'a str, left_out: &mut Vec<String>) -> Vec<Said<'a>> {
+    let mut known: Vec<Said> = Vec::new();
+    let (mut unknown, mut again) = (Vec::new(), Vec::new());
+    for pair in query.split('&').map(|p| p.trim_start_matches("amp;")).filter(|p| !p.is_empty()) {
+        let (word, value) = pair.split_once('=').unwrap_or((pair, ""));
+        if !WORDS.contains(&word) && Parameter::of_key(word).is_none() {
+            unknown.push(pair);
+        } else if known.iter().any(|said| said.0 == word) {
+            again.push(pair);
+        } else {
+            known.push((word, value, pair));
+        }
+    }
+    leave_out(left_out, &unknown, "unknown to this playground");
+    leave_out(left_out, &again, "of each word the first counts");
+    known
+}
+
+/// The words that are no parameters.
+const WORDS: [&str; 6] = ["v", INDIVIDUAL, "d", "noise", "show", "view"];
+
+/// Reads the words that are no parameters, and returns the day that is wished.
+fn read_words(scene: &mut Scene, words: &[Said], left_out: &mut Vec<String>) -> Option<u32> {
+    let mut wished_day = None;
+    for &(word, value, pair) in words {
+        let result = match word {
+            "v" => check_version(value),
+            INDIVIDUAL => whole(value).map(|n| scene.individual = n),
+            "d" => day(value).map(|n| wished_day = Some(n)),
+            "noise" => switch(value).map(|on| scene.noise = on),
+            "show" => read_show(scene.plant, value).map(|show| scene.show = show),
+            "view" => read_orbit(value).map(|orbit| scene.orbit = orbit),
+            _ => Ok(()),
+        };
+        if let Err(why) = result {
+            leave_out(left_out, &[pair], &why);
+        }
+    }
+    wished_day
+}
+
+/// Sets the parameters in the order of their table, whatever that of the link. Shares make room for
+/// each other: where two that are named are more than 1 together, the second counts.
+fn read_parameters(scene: &mut Scene, words: &[Said], left_out: &mut Vec<String>) {
+    let mut named: Vec<(&Parameter, f64, &str)> = Vec::new();
+    for parameter in PARAMETERS {
+        let Some(&(_, value, pair)) = words.iter().find(|said| said.0 == parameter.key) else {
+            continue;
+        };
+        if let Err(why) = number(value).and_then(|x| parameter.set(scene, x)) {
+            leave_out(left_out, &[pair], &why);
+            continue;
+        }
+        for &(other, was, pair) in &named {
+            // By more than the rounding of shares.
+            if (other.get(scene) - was).abs() > 1e-6 {
+                let why = format!("with {} it is more than 1", parameter.key);
+                leave_out(left_out, &[pair], &why);
+            }
+        }
+        named.push((parameter, parameter.get(scene), pair));
+    }
+}
+
+/// Tells, on one line, that something was left out.
+fn leave_out(left_out: &mut Vec<String>, pairs: &[&str], why: &str) {
+    let Some(first) = pairs.first() else { return };
+    let what = match pairs.len() - 1 {
+        0 => "was".to_string(),
+        more => format!("and {more} more were"),
+    };
+    left_out.push(format!("{} {what} left out: {why}.", shown(first)));
+}
+
 fn check_version(value: &str) -> Result<(), String> {
     let version = whole(value)?;
     match version == VERSION {
         true => Ok(()),
         false => Err(format!("this playground reads links of version {VERSION}")),
     }
-}
-
-fn read_parameter(scene: &mut Scene, key: &str, value: &str) -> Result<(), String> {
-    let Some(parameter) = Parameter::of_key(key) else {
-        return Err("this playground does not know it".to_string());
-    };
-    parameter.set(scene, number(value)?)
 }
 
 fn read_show(plant: &Plant, value: &str) -> Result<Show, String> {
@@ -138,7 +198,7 @@ fn read_orbit(value: &str) -> Result<Orbit, String> {
 fn number(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(x) if x.is_finite() => Ok(x),
-        _ => Err(format!("“{}” is not a number", shortened(text))),
+        _ => Err(format!("{} is not a number", shown(text))),
     }
 }
 
@@ -168,12 +228,10 @@ fn not_whole() -> String {
     format!("it must be a whole number from 0 to {}", u32::MAX)
 }
 
-/// Foreign text in our messages is kept to a glance.
-fn shortened(text: &str) -> String {
-    match text.char_indices().nth(40) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_string(),
-    }
+/// Foreign text as the page quotes it.
+fn shown(text: &str) -> String {
+    let quoted = quoted(text);
+    format!("“{}”", &quoted[1..quoted.len() - 1])
 }
 
 /// Undoes the percent signs that messengers put into addresses.
@@ -198,141 +256,4 @@ fn decode(text: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::play::testing::PLANTS;
-    use crate::tissue::Clock;
-
-    fn open(text: &str) -> Opened {
-        read(text, PLANTS)
-    }
-
-    #[test]
-    fn an_empty_link_is_the_first_plant() {
-        for text in ["", "#", "#leaf", "#leaf?"] {
-            let opened = open(text);
-            assert!(opened.left_out.is_empty());
-            assert_eq!(write(&opened.scene), "leaf?v=1&s=1&d=3");
-        }
-    }
-
-    #[test]
-    fn a_link_holds_what_differs_and_nothing_else() {
-        let link = "leaf?v=1&s=0&d=2&df=6&ff=0.35&noise=1&view=30,20,1.5";
-        let opened = open(link);
-        assert_eq!(opened.left_out, [""; 0]);
-        assert_eq!(opened.scene.individual, 0);
-        assert_eq!(opened.scene.recipe.division_days[0], 6.0);
-        assert_eq!(opened.scene.recipe.adhesion[0][0], 0.35);
-        assert!(opened.scene.noise);
-        assert_eq!(write(&opened.scene), link);
-    }
-
-    #[test]
-    fn every_parameter_comes_back() {
-        for parameter in PARAMETERS {
-            let mut scene = Scene::preset(&PLANTS[0], 9);
-            let [least, greatest] = parameter.range;
-            let value = match parameter.names {
-                [] => least + 0.25 * (greatest - least),
-                _ => greatest,
-            };
-            parameter.set(&mut scene, value).expect(parameter.key);
-            let opened = open(&write(&scene));
-            assert_eq!(opened.left_out, [""; 0], "{}", parameter.key);
-            assert!(opened.scene == scene, "{}", write(&scene));
-            assert_eq!(opened.scene.recipe, scene.recipe);
-        }
-    }
-
-    #[test]
-    fn three_types_come_back_together() {
-        let link = "leaf?v=1&s=3&d=3&pf=0.3&pm=0.6&dm=7&ck=1&fm=0.4&mfb=0.1&mfm=0.2&mmf=0.05&mmb=0.95\
-                    &an=0.5";
-        let opened = open(link);
-        assert_eq!(opened.left_out, [""; 0]);
-        assert_eq!(write(&opened.scene), link);
-        let recipe = &opened.scene.recipe;
-        assert_eq!((recipe.clock, recipe.anisotropy), (Clock::Exponential, 0.5));
-        assert_eq!(recipe.adhesion[2][0], 0.4);
-        assert_eq!(recipe.mutation[0][1..], [0.1, 0.2]);
-        assert_eq!(recipe.mutation[2][..2], [0.05, 0.95]);
-        assert_eq!(recipe.initial_probability[2], 0.6);
-        let told = open("fruit?v=1&pm=0.2&an=0.5&ck=0.5").left_out;
-        assert_eq!(
-            told,
-            [
-                "“pm=0.2” was left out: this plant has no use for it.",
-                "“an=0.5” was left out: this plant has no use for it.",
-                "“ck=0.5” was left out: it must be a whole number.",
-            ]
-        );
-    }
-
-    #[test]
-    fn what_is_shown_comes_back_where_the_plant_has_it() {
-        for plant in crate::plants::all() {
-            for show in Show::offered(plant) {
-                let scene = Scene { show, ..Scene::preset(plant, 2) };
-                let link = write(&scene);
-                assert_eq!(link.contains("show="), show != Show::Cells, "{link}");
-                let opened = read(&link, crate::plants::all());
-                assert_eq!((opened.scene.show, opened.left_out), (show, Vec::new()), "{link}");
-            }
-        }
-        for pair in ["show=field-x", "show=bones", "show="] {
-            let opened = read(&format!("croton?v=1&{pair}"), crate::plants::all());
-            assert_eq!(opened.scene.show, Show::Cells);
-            let told = "was left out: this plant has nothing of that name to show.";
-            assert_eq!(opened.left_out, [format!("“{pair}” {told}")]);
-        }
-    }
-
-    #[test]
-    fn bad_links_load_what_they_can() {
-        let opened = open("#leaf?v=1&s=17&d=99&df=0.2&zz=3&db=abc&bb=0.9&s=4&view=1,2");
-        assert_eq!(opened.scene.individual, 17);
-        assert_eq!(opened.scene.day, opened.scene.recipe.days);
-        assert_eq!(opened.scene.recipe.adhesion[1][1], 0.9);
-        let told = opened.left_out.join("\n");
-        for part in [
-            "“df=0.2” was left out: it must be from 1.5 to 200 days.",
-            "“zz=3” was left out: this playground does not know it.",
-            "“db=abc” was left out: “abc” is not a number.",
-            "“s=4” was left out: it stands twice",
-            "“view=1,2” was left out: a view has three or five numbers.",
-            "Day 99 is past the last one: day 6 is shown in its place.",
-        ] {
-            assert!(told.contains(part), "{part} is not in\n{told}");
-        }
-        assert_eq!(opened.left_out.len(), 6);
-    }
-
-    #[test]
-    fn foreign_links_are_told_and_replaced() {
-        let opened = open("#section-2?utm=x");
-        assert_eq!(opened.scene.plant.key, "leaf");
-        assert_eq!(opened.left_out.len(), 2);
-        assert!(opened.left_out[0].contains("the leaf stands in"));
-        assert_eq!(open("#leaf?v=7").left_out.len(), 1);
-        // Never a panic, whatever comes.
-        for text in ["#%", "#%zz?%f", "#?&&==&", "#leaf?s=-1&d=1e9&n=NaN&view=,,", "#…?…=…"] {
-            open(text);
-        }
-    }
-
-    #[test]
-    fn messengers_may_mangle() {
-        let opened = open("#leaf%3Fv=1&amp;s=5&view=30%2C20%2C2");
-        assert_eq!(opened.left_out, [""; 0]);
-        assert_eq!(opened.scene.individual, 5);
-        assert_eq!(opened.scene.orbit.zoom, 2.0);
-    }
-
-    #[test]
-    fn preset_individual_and_day_stay_short() {
-        for plant in PLANTS.iter().chain(crate::plants::all()) {
-            assert!(write(&Scene::preset(plant, u32::MAX)).len() < 100);
-        }
-    }
-}
+mod tests;

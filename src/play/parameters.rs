@@ -16,7 +16,7 @@ pub struct Parameter {
     pub unit: &'static str,
     /// Least and greatest value, both allowed.
     pub range: [f64; 2],
-    /// Step of the slider; links may lie between.
+    /// Step of the slider; links may lie between, but for whole numbers, whose step is whole.
     pub step: f64,
     /// What is chosen by the numbers 0, 1 and so on, and only by these; of plain numbers nothing.
     pub names: &'static [&'static str],
@@ -64,6 +64,11 @@ impl Parameter {
         }
     }
 
+    /// Whether it has whole values only.
+    pub fn is_whole(&self) -> bool {
+        self.step.fract() == 0.0
+    }
+
     /// Its value in a scene.
     pub fn get(&self, scene: &Scene) -> f64 {
         (self.get)(scene)
@@ -81,7 +86,7 @@ impl Parameter {
             return Err("this plant has no use for it".to_string());
         }
         let [least, greatest] = self.range;
-        if !self.names.is_empty() && value.fract() != 0.0 {
+        if self.is_whole() && value.fract() != 0.0 {
             return Err("it must be a whole number".to_string());
         }
         if !(least..=greatest).contains(&value) {
@@ -89,7 +94,11 @@ impl Parameter {
             return Err(format!("it must be from {least} to {greatest}{unit}"));
         }
         let mut changed = scene.clone();
-        (self.set)(&mut changed, value);
+        // No -0.0, which a link does not tell from 0.0.
+        (self.set)(&mut changed, value + 0.0);
+        // As a link will say it, which has fewer digits than an f32: the link must grow the same cells.
+        let said = self.get(&changed);
+        (self.set)(&mut changed, said);
         changed.recipe.check().map_err(|e| e.to_string())?;
         changed.day = changed.day.min(changed.recipe.days);
         *scene = changed;

@@ -1,17 +1,15 @@
 //! Every number of a run, with its unit and source. A recipe and a seed decide a tissue.
 
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::collections::BTreeMap;
+mod json;
+
+use serde::Serialize;
 
 /// The types of cells (CM98; Thesis 3.2.1.1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u8)]
 pub enum CellType {
-    #[serde(rename = "F")]
     Foreground = 0,
-    #[serde(rename = "B")]
     Background = 1,
-    #[serde(rename = "M")]
     Middle = 2,
 }
 
@@ -58,7 +56,7 @@ impl Scaled {
 }
 
 /// How the time to a cell's next division is drawn, with the mean of its type's `division_days`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Clock {
     /// Whole days (Thesis 3.2.1.2).
@@ -69,23 +67,22 @@ pub enum Clock {
 }
 
 /// Every number of a run (Thesis, 3.2.1 and Table 4.1). Arrays are indexed by `CellType`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Recipe {
     /// Cells at day 0, at least 1.
     pub initial_cells: u32,
     /// Chance that a first cell is of each type; sum 1.
-    #[serde(serialize_with = "write_row", deserialize_with = "read_row")]
+    #[serde(serialize_with = "json::write_row")]
     pub initial_probability: [f64; 3],
     /// Mean days between divisions of each type, over 1.
-    #[serde(serialize_with = "write_row", deserialize_with = "read_days")]
+    #[serde(serialize_with = "json::write_row")]
     pub division_days: [f64; 3],
     pub clock: Clock,
     /// Chance that the child of a cell of the row's type is of the column's type; rows sum to 1.
-    #[serde(serialize_with = "write_mutation", deserialize_with = "read_mutation")]
+    #[serde(serialize_with = "json::write_mutation")]
     pub mutation: [[f64; 3]; 3],
     /// 1: no repulsion between the two types, 0: full. Symmetric.
-    #[serde(serialize_with = "write_adhesion", deserialize_with = "read_adhesion")]
+    #[serde(serialize_with = "json::write_adhesion")]
     pub adhesion: [[f32; 3]; 3],
     /// Scale of the repulsive radius, `r = radius_scale * sqrt(area / cells)`.
     pub radius_scale: f32,
@@ -132,16 +129,11 @@ impl Recipe {
         max_cells: 2_000_000,
     };
 
-    /// Reads a recipe in JSON; what is left out has its default.
+    /// Reads a recipe in JSON; what is left out has its default. Whole numbers may be written as `2e3`,
+    /// and shares that miss the sum 1 because they were rounded are scaled to it. The error says what is
+    /// wrong, and where.
     pub fn from_json(text: &str) -> Result<Recipe, RecipeError> {
-        if text.trim_start().starts_with('[') {
-            // serde would take a list for the fields in their order.
-            return Err(RecipeError("the recipe: a list, but it must be an object {...}".into()));
-        }
-        let mut json = serde_json::Deserializer::from_str(text);
-        let recipe: Recipe = serde_path_to_error::deserialize(&mut json)
-            .map_err(|e| refusal(&e.path().to_string(), e.inner()))?;
-        json.end().map_err(|e| refusal("", &e))?;
+        let recipe = json::read(text)?;
         recipe.check()?;
         Ok(recipe)
     }
@@ -226,22 +218,6 @@ impl Recipe {
     }
 }
 
-/// What is wrong with a recipe's JSON, and at which number of it.
-fn refusal(at: &str, error: &serde_json::Error) -> RecipeError {
-    let what = error.to_string();
-    if !error.is_data() {
-        return RecipeError(format!("the recipe is no JSON: {what}"));
-    }
-    // Keys that are types are unknown to the path: it names the numbers that they belong to.
-    let at = if at == "." { "the recipe" } else { at.trim_end_matches(".?") };
-    let what = what
-        .replace("expected struct Recipe", "expected an object {...}")
-        .replace("expected u32", "expected a whole number from 0 on")
-        .replace("expected f32", "expected a number")
-        .replace("expected f64", "expected a number");
-    RecipeError(format!("{at}: {what}"))
-}
-
 /// One rule for both clocks, though the exponential one would not need it: no change of the clock
 /// alone makes a recipe that cannot be grown.
 fn check_days(kind: CellType, days: f64) -> Result<(), RecipeError> {
@@ -264,73 +240,4 @@ fn check_row(name: &str, row: &[f64; 3]) -> Result<(), RecipeError> {
         "{name} is F {}, B {}, M {}: each must be from 0 to 1 and their sum 1",
         row[0], row[1], row[2]
     )))
-}
-
-type Letters = BTreeMap<CellType, f64>;
-
-fn letters(row: &[f64; 3]) -> Letters {
-    CellType::ALL.into_iter().map(|t| (t, row[t as usize])).collect()
-}
-
-fn fill(letters: Letters, mut row: [f64; 3]) -> [f64; 3] {
-    for (kind, value) in letters {
-        row[kind as usize] = value;
-    }
-    row
-}
-
-fn write_row<S: Serializer>(row: &[f64; 3], s: S) -> Result<S::Ok, S::Error> {
-    letters(row).serialize(s)
-}
-
-/// What is not named has probability 0.
-fn read_row<'de, D: Deserializer<'de>>(d: D) -> Result<[f64; 3], D::Error> {
-    Ok(fill(Letters::deserialize(d)?, [0.0; 3]))
-}
-
-fn read_days<'de, D: Deserializer<'de>>(d: D) -> Result<[f64; 3], D::Error> {
-    Ok(fill(Letters::deserialize(d)?, Recipe::default().division_days))
-}
-
-fn write_mutation<S: Serializer>(rows: &[[f64; 3]; 3], s: S) -> Result<S::Ok, S::Error> {
-    let rows: BTreeMap<CellType, Letters> =
-        CellType::ALL.into_iter().map(|t| (t, letters(&rows[t as usize]))).collect();
-    rows.serialize(s)
-}
-
-/// What is not named does not mutate: the diagonal is what the named chances leave.
-fn read_mutation<'de, D: Deserializer<'de>>(d: D) -> Result<[[f64; 3]; 3], D::Error> {
-    let mut rows = Recipe::default().mutation;
-    for (from, named) in BTreeMap::<CellType, Letters>::deserialize(d)? {
-        let keeps = named.contains_key(&from);
-        let row = fill(named, [0.0; 3]);
-        rows[from as usize] = row;
-        if !keeps {
-            rows[from as usize][from as usize] = 1.0 - row.iter().sum::<f64>();
-        }
-    }
-    Ok(rows)
-}
-
-/// The pairs of types, by their names in JSON.
-const PAIRS: [(&str, usize, usize); 6] =
-    [("FF", 0, 0), ("BB", 1, 1), ("MM", 2, 2), ("FB", 0, 1), ("FM", 0, 2), ("BM", 1, 2)];
-
-fn write_adhesion<S: Serializer>(rows: &[[f32; 3]; 3], s: S) -> Result<S::Ok, S::Error> {
-    let named: BTreeMap<&str, f32> = PAIRS.iter().map(|&(n, i, j)| (n, rows[i][j])).collect();
-    named.serialize(s)
-}
-
-fn read_adhesion<'de, D: Deserializer<'de>>(d: D) -> Result<[[f32; 3]; 3], D::Error> {
-    let mut rows = Recipe::default().adhesion;
-    for (name, value) in BTreeMap::<String, f32>::deserialize(d)? {
-        let Some(&(_, i, j)) = PAIRS.iter().find(|(n, ..)| *n == name) else {
-            return Err(serde::de::Error::custom(format!(
-                "adhesion has no pair {name}: the pairs are FF, BB, MM, FB, FM and BM"
-            )));
-        };
-        rows[i][j] = value;
-        rows[j][i] = value;
-    }
-    Ok(rows)
 }

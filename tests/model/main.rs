@@ -14,6 +14,7 @@ mod pattern;
 mod population;
 mod recipes;
 mod scaling;
+mod texts;
 mod walking;
 
 use clonal_mosaic::surface::{DirectionField, Mesh};

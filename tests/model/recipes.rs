@@ -38,12 +38,12 @@ fn what_is_left_out_has_its_default() {
 fn what_cannot_be_grown_is_refused_in_plain_words() {
     for (text, words) in [
         ("", "the recipe is no JSON"),
-        ("[]", "recipe"),
+        ("[]", "the recipe: an object {...} is needed, not a list"),
         ("{\"days\":}", "the recipe is no JSON"),
         ("{} {}", "the recipe is no JSON"),
-        ("3", "the recipe: invalid type: integer `3`, expected an object"),
+        ("3", "the recipe: an object {...} is needed, not 3"),
         (r#"{"dayz":3}"#, "dayz"),
-        (r#"{"days":-1}"#, "days: invalid value: integer `-1`, expected a whole number"),
+        (r#"{"days":-1}"#, "days: a whole number from 0 to 4294967295 is needed, not -1"),
         (r#"{"days":2.5}"#, "2.5"),
         (r#"{"days":100000}"#, "days is 100000"),
         (r#"{"initial_cells":0}"#, "initial_cells is 0"),
@@ -51,14 +51,17 @@ fn what_cannot_be_grown_is_refused_in_plain_words() {
         (r#"{"initial_probability":{"F":1.5,"B":-0.5}}"#, "initial_probability"),
         (r#"{"initial_probability":{"Q":1}}"#, "Q"),
         (r#"{"division_days":{"F":0.6}}"#, "division_days of F is 0.6: it must be over 1"),
-        (r#"{"division_days":{"F":null}}"#, "division_days: invalid type: null, expected a number"),
-        (r#"{"mutation":{"F":{"B":"often"}}}"#, "mutation: invalid type"),
+        (r#"{"division_days":{"F":null}}"#, "division_days.F: a number is needed, not null"),
+        (r#"{"mutation":{"F":{"B":"often"}}}"#, "mutation.F.B: a number is needed, not \"often\""),
         (r#"{"division_days":{"B":1}}"#, "division_days of B is 1"),
         (r#"{"mutation":{"F":{"B":1.2}}}"#, "mutation of F"),
         (r#"{"mutation":{"F":{"F":0.5,"B":0.1}}}"#, "mutation of F"),
         (r#"{"adhesion":{"FF":1.2}}"#, "adhesion FF is 1.2"),
-        (r#"{"adhesion":{"FF":"much"}}"#, "adhesion.FF: invalid type: string"),
-        (r#"{"adhesion":{"BF":0.2}}"#, "no pair BF"),
+        (r#"{"adhesion":{"FF":"much"}}"#, "adhesion.FF: a number is needed, not \"much\""),
+        (
+            r#"{"adhesion":{"BF":0.2}}"#,
+            "adhesion: it has no \"BF\"; it may have FF, BB, MM, FB, FM and BM",
+        ),
         (r#"{"radius_scale":0}"#, "radius_scale is 0"),
         (r#"{"radius_scale":1e9}"#, "radius_scale"),
         (r#"{"repulsion":-1}"#, "repulsion is -1"),
@@ -68,9 +71,47 @@ fn what_cannot_be_grown_is_refused_in_plain_words() {
         (r#"{"clock":"exponential","division_days":{"F":0.9}}"#, "division_days of F is 0.9"),
         (r#"{"relaxations_per_day":5000}"#, "relaxations_per_day is 5000"),
         (r#"{"max_cells":10}"#, "max_cells is 10"),
+        (r#"{"clock":3}"#, "clock: \"poisson\" or \"exponential\" is needed, not 3"),
+        (
+            r#"{"clock":{"poisson":1}}"#,
+            "clock: \"poisson\" or \"exponential\" is needed, not an object",
+        ),
+        (r#"{"adhesion":[[0.5,0]]}"#, "adhesion: an object {...} is needed, not a list"),
+        (r#"{"repulsion":1e999}"#, "the recipe: number out of range"),
+        (r#"{"days":3,"days":4}"#, "the recipe: \"days\" stands in it twice"),
+        (r#"{"mutation":{"F":{"B":0.1,"B":0.2}}}"#, "mutation.F: \"B\" stands in it twice"),
+        (r#"{"adhesion":{"FF":0.1,"FF":0.1}}"#, "adhesion: \"FF\" stands in it twice"),
+        (r#"{"initial_probability":{"F":0.5,"B":0.49}}"#, "sum 1"),
+        (r#"{"mutation":{"F":{"B":0.8,"M":0.3}}}"#, "mutation of F is F 0, B 0.8, M 0.3"),
+        (
+            &format!(r#"{{"{0}":"{0}"}}"#, "\\u001b".repeat(1000)),
+            "the recipe: it has no \"\u{fffd}",
+        ),
     ] {
         let error = Recipe::from_json(text).expect_err(text).to_string();
         assert!(error.contains(words), "{text} is refused with: {error}");
-        assert!(!error.contains('\n') && error.len() < 300, "one line: {error}");
+        assert!(!error.contains(char::is_control) && error.len() < 400, "one line: {error}");
+        assert_eq!(error.contains("no JSON"), words.contains("no JSON"), "{text}: {error}");
     }
+}
+
+#[test]
+fn numbers_are_read_as_people_write_them() {
+    let recipe = Recipe::from_json("\u{feff}{\"initial_cells\":2e3,\"days\":3.0,\"repulsion\":1}");
+    let recipe = recipe.unwrap();
+    assert_eq!((recipe.initial_cells, recipe.days, recipe.repulsion), (2000, 3, 1.0));
+}
+
+#[test]
+fn shares_that_were_rounded_are_scaled_to_one() {
+    let shares = |text: &str| Recipe::from_json(text).unwrap().initial_probability;
+    let row = shares(r#"{"initial_probability":{"F":0.333,"B":0.666}}"#);
+    assert!((row[0] - 1.0 / 3.0).abs() < 1e-9 && row[2] == 0.0, "{row:?}");
+    // What was exact enough before stays as it was written.
+    let row = shares(r#"{"initial_probability":{"F":0.3333333,"B":0.6666666}}"#);
+    assert_eq!(row, [0.333_333_3, 0.666_666_6, 0.0]);
+    let rows = Recipe::from_json(r#"{"mutation":{"M":{"F":0.5,"B":0.501},"F":{"B":0.3,"M":0.3}}}"#);
+    let rows = rows.unwrap().mutation;
+    assert!((rows[2].iter().sum::<f64>() - 1.0).abs() < 1e-12 && rows[2][2] == 0.0, "{rows:?}");
+    assert_eq!(rows[0], [1.0 - (0.3 + 0.3), 0.3, 0.3]);
 }

@@ -1,8 +1,10 @@
-//! `mosaic bench`: how fast the engine is on this machine, in one thread, beside the original program.
+//! `mosaic bench`: how fast the engine is on this machine, in one thread, and how fast the original program
+//! was beside ours on another.
 
+use super::Refusal;
+use super::output::say;
 use super::states::{settled, still};
-use super::{Refusal, say};
-use clonal_mosaic::plants::original::{RUNS, Run, sphere};
+use clonal_mosaic::plants::original::{MACHINE, RUNS, Run, sphere, times_as_fast};
 use clonal_mosaic::surface::Mesh;
 use clonal_mosaic::tissue::{Growth, Progress};
 use std::hint::black_box;
@@ -25,28 +27,21 @@ pub fn bench(runs: u32) -> Result<(), Refusal> {
     let mesh = Arc::new(sphere());
     say(&format!(
         "{}\nOne thread, wall-clock time, best of {runs}; a sphere of {} triangles.\n\n\
-         {:10}{:>6}{:>10}{:>9}{:>14}{:>8}\n",
+         {:10}{:>6}{:>10}{:>9}\n",
         machine(),
         mesh.triangles.len(),
         "",
         "row",
         "cells",
-        "here",
-        "the original",
-        "faster"
+        "here"
     ))?;
     for run in &RUNS {
         let grown: Vec<(Duration, usize)> = (0..runs).map(|_| grow(&mesh, run)).collect();
         let (time, cells) = *grown.iter().min().expect("at least one run");
-        let seconds = time.as_secs_f64();
-        say(&format!(
-            "{:10}{:>6}{cells:>10}{seconds:>7.3} s{:>12.1} s{:>7.0}x\n",
-            run.key,
-            run.figure,
-            run.seconds,
-            run.seconds / seconds
-        ))?;
+        let (key, row, seconds) = (run.key, run.figure, time.as_secs_f64());
+        say(&format!("{key:10}{row:>6}{cells:>10}{seconds:>7.3} s\n"))?;
     }
+    say(&beside_the_original())?;
     let giga_pairs = (0..runs).map(|_| bare_pairs_per_second() / 1e9).fold(0.0, f64::max);
     say(&format!(
         "\nCeiling of the force loop: {giga_pairs:.2} G pairs of cells a second, each a square root and a \
@@ -62,6 +57,21 @@ pub fn bench(runs: u32) -> Result<(), Refusal> {
         }
     }
     Ok(())
+}
+
+/// The table of both programs on one machine, which is not this one: their times have nothing to do with
+/// those above.
+fn beside_the_original() -> String {
+    let mut text = format!(
+        "\nBoth programs on one machine, {MACHINE}.\n\n{:10}{:>6}{:>14}{:>10}{:>15}\n",
+        "", "row", "the original", "ours", "times as fast"
+    );
+    for run in &RUNS {
+        let (key, row, ours, times) = (run.key, run.figure, run.our_seconds, run.times_as_fast());
+        let original = run.mean_seconds();
+        text += &format!("{key:10}{row:>6}{original:>12.1} s{ours:>8.3} s{times:>15.0}\n");
+    }
+    text + &format!("{:42}{:>13.0}\n", "in the geometric mean", times_as_fast())
 }
 
 /// Grows all days of a run of the original; how long it takes, and how many cells there are then.

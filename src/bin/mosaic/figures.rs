@@ -1,24 +1,30 @@
 //! `mosaic figures`: the pictures of the thesis in numbers.
 
-use super::options::{FigureOptions, Format, Print};
+use super::Refusal;
+use super::options::{FigureOptions, Format};
+use super::output::{cannot, say};
+use super::progress::Progress;
 use super::sweep::{self, HEADING, Row};
 use super::table::Table;
-use super::{Refusal, cannot, say};
 use clonal_mosaic::play::figures::{FIGURES, Figure, find};
+use clonal_mosaic::surface::quoted;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::available_parallelism;
 
 pub fn figures(options: &FigureOptions) -> Result<(), Refusal> {
-    match options {
-        FigureOptions::Merge { files, format } => merge(files, *format),
-        FigureOptions::Grow { figures, individuals, threads, print } => {
-            let cores = || available_parallelism().map_or(1, usize::from);
-            let threads = threads.map_or_else(cores, |n| n as usize);
-            grow(&chosen(figures)?, *individuals, threads, *print)
-        }
+    let format = options.print.format();
+    if !options.merge.is_empty() {
+        return merge(&options.merge, format);
     }
+    let figures = chosen(&options.figures)?;
+    let Some(shard) = options.print.shard else {
+        return say(&Table::of(grow(&figures, options, (1, 1)))?.print(format));
+    };
+    let rows = grow(&figures, options, shard);
+    let lines = rows.iter().map(|row| row.to_csv() + "\n");
+    say(&(format!("{HEADING}\n") + &lines.collect::<String>()))
 }
 
 /// The figures of these numbers; all when there is none.
@@ -30,7 +36,7 @@ fn chosen(numbers: &[String]) -> Result<Vec<&'static Figure>, Refusal> {
     for number in numbers {
         let figure = find(number).ok_or_else(|| {
             let known: Vec<&str> = FIGURES.iter().map(|figure| figure.number).collect();
-            format!("there is no figure {number:?}: there are {}", known.join(", "))
+            format!("there is no figure {}: there are {}", quoted(number), known.join(", "))
         })?;
         if !chosen.contains(&figure) {
             chosen.push(figure);
@@ -39,37 +45,23 @@ fn chosen(numbers: &[String]) -> Result<Vec<&'static Figure>, Refusal> {
     Ok(chosen)
 }
 
-fn grow(
-    figures: &[&'static Figure],
-    individuals: u32,
-    threads: usize,
-    print: Print,
-) -> Result<(), Refusal> {
-    let subjects = sweep::subjects(figures);
-    let part = match print {
-        Print::Shard(k, n) => (k, n),
-        Print::Table(_) => (1, 1),
-    };
-    let done = AtomicUsize::new(0);
+/// Grows one of so many parts of the work and tells how far it is.
+fn grow(figures: &[&'static Figure], options: &FigureOptions, shard: (u32, u32)) -> Vec<Row> {
+    let cores = || available_parallelism().map_or(1, usize::from);
+    let threads = options.threads.map_or_else(cores, |n| n as usize);
+    let (done, progress) = (AtomicUsize::new(0), Progress::new());
     let tell = |row: &Row| {
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        let of = row.items.saturating_sub(part.0 as usize - 1).div_ceil(part.1 as usize);
-        eprintln!(
-            "mosaic: {done} of {of}: {}, {}, individual {}: {} cells",
+        let of = row.items.saturating_sub(shard.0 as usize - 1).div_ceil(shard.1 as usize);
+        progress.tell(&format!(
+            "{done} of {of}: {}, {}, individual {}: {} cells",
             row.figure,
             row.picture,
             row.individual,
             row.cells()
-        );
+        ));
     };
-    let rows = sweep::grow(&subjects, individuals, part, threads, tell);
-    match print {
-        Print::Table(format) => say(&Table::of(rows)?.print(format)),
-        Print::Shard(..) => {
-            let lines = rows.iter().map(|row| row.to_csv() + "\n");
-            say(&(format!("{HEADING}\n") + &lines.collect::<String>()))
-        }
-    }
+    sweep::grow(&sweep::subjects(figures), options.individuals, shard, threads, tell)
 }
 
 fn merge(files: &[PathBuf], format: Format) -> Result<(), Refusal> {

@@ -1,30 +1,30 @@
 //! `mosaic grow`: grows a plant and tells each of its days.
 
 use super::options::GrowOptions;
+use super::output::{Target, say, try_say, warn};
 use super::report::{DayLine, Report};
 use super::subject::{self, Subject};
-use super::{Refusal, cannot, say};
+use super::{Refusal, progress};
 use clonal_mosaic::export::write_cells;
 use clonal_mosaic::tissue::{Diary, Growth, Progress};
 use glam::DVec3;
-use std::fs::File;
-use std::io::{BufWriter, Write};
 use std::time::{Duration, Instant};
 
 pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
     let subject = subject::load(options)?;
-    // Opened first: nobody should wait for a plant that cannot be written down.
-    let mut table = match &options.cells {
-        Some(path) => Some((path, File::create(path).map_err(|e| cannot("write", path, &e))?)),
-        None => None,
-    };
+    // Tried first: nobody should wait for a plant that cannot be written down.
+    let table = options.cells.as_deref().map(Target::new).transpose()?;
+    // Where nobody reads on, there is still the table to write.
+    let print = |text: &str| if table.is_some() { try_say(text).map(drop) } else { say(text) };
+    let seen =
+        if options.json { progress::Progress::new() } else { progress::Progress::beside_lines() };
 
     let mut report = Report::new(&subject);
     if subject.reading.is_some() && !options.json {
-        say(&report.body.to_string())?;
+        print(&report.body.to_string())?;
     }
     for warning in report.body.warnings() {
-        eprintln!("mosaic: {warning}");
+        warn(&warning);
     }
     let started = Instant::now();
     let max_cells = subject.recipe.max_cells;
@@ -37,38 +37,39 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
             Progress::Day(day) => {
                 let painted = paint(&subject, &growth.diary, day as usize);
                 let line = DayLine::of(painted.as_ref().unwrap_or(&growth.diary), day);
+                seen.clear();
                 if !options.json {
-                    say(&line.to_string())?;
+                    print(&line.to_string())?;
                 }
+                seen.tell(&format!("day {day} of {}", subject.recipe.days));
                 report.days.push(line);
             }
             Progress::Full => {
-                eprintln!(
-                    "mosaic: growth ends early, at the recipe's max_cells of {max_cells}; what \
-                     has grown is kept"
-                );
+                seen.clear();
+                warn(&format!(
+                    "growth ends early, at the recipe's max_cells of {max_cells}; what has grown is \
+                     kept"
+                ));
                 break;
             }
             Progress::Event | Progress::Done => break,
         }
     }
     report.seconds = growing.as_secs_f64();
+    drop(seen);
     report.body.caught_walks = growth.caught_walks();
     if let Some(warning) = report.body.warning_of_growth() {
-        eprintln!("mosaic: {warning}");
+        warn(&warning);
     }
 
-    if let Some((path, file)) = &mut table {
-        let mut out = BufWriter::new(file);
+    if let Some(table) = table {
         let last = growth.diary.days.len() - 1;
         let painted = paint(&subject, &growth.diary, last);
         let origin = subject.reading.map_or(DVec3::ZERO, |reading| reading.origin);
         let diary = painted.as_ref().unwrap_or(&growth.diary);
-        write_cells(&subject.mesh, origin, diary, last, &mut out)
-            .and_then(|()| out.flush())
-            .map_err(|e| cannot("write", path, &e))?;
+        table.write(|out| write_cells(&subject.mesh, origin, diary, last, out))?;
     }
-    if options.json { say(&report.to_json()) } else { say(&report.summary()) }
+    say(&if options.json { report.to_json() } else { report.summary() })
 }
 
 /// A day in the types of the subject's noise, if it has one.

@@ -1,7 +1,8 @@
 //! What is grown: a body, a recipe and an individual, from the plant, link or files that were named.
 
+use super::Refusal;
 use super::options::{FIRST_PLANT, GrowOptions, Source};
-use super::{Refusal, cannot};
+use super::output::cannot;
 use clonal_mosaic::plants::{self, Plant};
 use clonal_mosaic::play::{FIRST_INDIVIDUAL, link};
 use clonal_mosaic::surface::{Brought, Mesh, quoted};
@@ -57,7 +58,7 @@ struct Wish {
 
 /// Gathers what the options name.
 pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
-    let Wish { plant, mut recipe, individual, day, noise } = match &options.source {
+    let Wish { plant, mut recipe, individual, day, noise } = match options.source() {
         Source::Preset(name) => of_plant(plant(name)?),
         Source::Link(text) => of_link(text)?,
         Source::Recipe(path) => of_recipe(path, options.mesh.is_none())?,
@@ -90,10 +91,15 @@ fn of_plant(plant: &'static Plant) -> Wish {
     Wish { plant: Some(plant), recipe, individual: FIRST_INDIVIDUAL, day, noise: false }
 }
 
-/// A whole address is taken for the part after its `#`. The page loads what it can of a bad link; a
-/// script is better served by a refusal.
+/// A whole address is taken for the part after its `#`, which a messenger may have written as `%23`;
+/// without one it is the page's own, which shows the first plant. The page loads what it can of a bad
+/// link; a script is better served by a refusal.
 fn of_link(text: &str) -> Result<Wish, Refusal> {
-    let fragment = text.split_once('#').map_or(text, |(_, fragment)| fragment);
+    let fragment = match text.split_once('#').or_else(|| text.split_once("%23")) {
+        Some((_, fragment)) => fragment,
+        None if text.contains("://") => "",
+        None => text,
+    };
     let opened = link::read(fragment, plants::all());
     if !opened.left_out.is_empty() {
         return Err(format!("the link: {}", opened.left_out.join(" ")));

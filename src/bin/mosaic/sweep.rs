@@ -5,7 +5,7 @@ use clonal_mosaic::mosaic::Pattern;
 use clonal_mosaic::plants;
 use clonal_mosaic::play::figures::Figure;
 use clonal_mosaic::play::{Scene, link};
-use clonal_mosaic::surface::{Charts, Mesh};
+use clonal_mosaic::surface::{Charts, Mesh, quoted};
 use clonal_mosaic::tissue::{Diary, Expected, Progress, Recipe, expected_cells};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -173,7 +173,8 @@ impl Row {
             return Err(format!("{} columns, but a shard has {}", words.len(), names.len()));
         }
         fn number<T: std::str::FromStr>(name: &str, word: &str) -> Result<T, Refusal> {
-            word.parse().map_err(|_| format!("{name} is {word:?}, which is no number of its kind"))
+            let refuse = |_| format!("{name} is {}, which is no number of its kind", quoted(word));
+            word.parse().map_err(refuse)
         }
         let whole = |k: usize| number::<u32>(names[k], words[k]);
         let real = |k: usize| number::<f64>(names[k], words[k]);

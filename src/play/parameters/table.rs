@@ -43,7 +43,7 @@ pub const PARAMETERS: &[Parameter] = &[
         effect: "The chance that a first cell is {F}; the others are {B}.",
         get: |s| s.recipe.initial_probability[F as usize],
         set: |s, x| {
-            let middle = s.recipe.initial_probability[M as usize].min(short(1.0 - x));
+            let middle = beside(x, s.recipe.initial_probability[M as usize]);
             s.recipe.initial_probability = [x, (1.0 - x - middle).max(0.0), middle];
         },
         ..NUMBER
@@ -58,7 +58,7 @@ pub const PARAMETERS: &[Parameter] = &[
         needs: Needs::Middle,
         get: |s| s.recipe.initial_probability[M as usize],
         set: |s, x| {
-            let foreground = s.recipe.initial_probability[F as usize].min(short(1.0 - x));
+            let foreground = beside(x, s.recipe.initial_probability[F as usize]);
             s.recipe.initial_probability = [foreground, (1.0 - foreground - x).max(0.0), x];
         },
         ..NUMBER
@@ -353,7 +353,15 @@ fn set_adhesion(scene: &mut Scene, a: CellType, b: CellType, value: f64) {
 fn set_mutation(scene: &mut Scene, parent: CellType, child: CellType, share: f64) {
     let row = &mut scene.recipe.mutation[parent as usize];
     let third = 3 - parent as usize - child as usize;
-    row[third] = row[third].min(short(1.0 - share));
+    row[third] = beside(share, row[third]);
     row[child as usize] = share;
-    row[parent as usize] = (1.0 - share - row[third]).max(0.0);
+    // In the order of the types, so that it is the same to the last bit whichever was set last.
+    row[parent as usize] = 0.0;
+    row[parent as usize] = row.iter().fold(1.0, |left, share| left - share).max(0.0);
+}
+
+/// Another share beside one that is set: less if both are more than 1 together, by more than what `short`
+/// may have left too much.
+fn beside(share: f64, other: f64) -> f64 {
+    if share + other < 1.0 + 6e-7 { other } else { short(1.0 - share) }
 }

@@ -1,9 +1,13 @@
 //! Measures our runs beside those of the original program, and draws one individual of each.
 //!
-//! `cargo run --release --example comparison [FOLDER]` prints the table of `docs/comparison.md` and
+//! `cargo run --release --example comparison [FOLDER]` prints the tables of `docs/comparison.md` and
 //! writes `FOLDER/croton41.png` and so on: one hemisphere, each cell's Voronoi polygon in the colour
-//! of its type, borders darkened.
+//! of its type, borders darkened. The second table is of individuals that are grown again with the
+//! original's search for neighbours.
 
+mod again;
+
+use again::Search;
 use clonal_mosaic::mosaic::{Pattern, Piece, polygons};
 use clonal_mosaic::plants::original::{RUNS, Run, sphere};
 use clonal_mosaic::surface::{Charts, Mesh};
@@ -13,6 +17,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 const INDIVIDUALS: u32 = 5;
+/// Those of the second table.
+const GROWN_AGAIN: u32 = 10;
 
 const SIDE_PX: usize = 300;
 /// Samples along each side of a pixel.
@@ -58,6 +64,41 @@ fn main() {
             let picture = draw(&mesh, &mut charts, run, &diaries[0]);
             write(&path, &picture).expect("the folder can be written to");
         }
+    }
+    println!("\n| run | search | mixed edges | F patches |\n|---|---|---|---|");
+    for run in RUNS.iter().filter(|run| !run.has_whole_radius) {
+        grow_again(&mesh, &mut charts, run);
+    }
+}
+
+/// What becomes of the same individuals where neighbours are searched for by the engine, plainly, and as
+/// the original does.
+fn grow_again(mesh: &Arc<Mesh>, charts: &mut Charts, run: &Run) {
+    let last = run.recipe.days as usize;
+    for search in [None, Some(Search::Whole), Some(Search::CutOff)] {
+        let patterns: Vec<Pattern> = (1..=GROWN_AGAIN)
+            .map(|individual| {
+                let engine = grow(mesh, run, individual);
+                let diary = match search {
+                    None => engine,
+                    Some(search) => again::grow(mesh, charts, run, &engine, individual, search),
+                };
+                Pattern::of(mesh, charts, &diary, last)
+            })
+            .collect();
+        let told = |value: fn(&Pattern) -> f64, digits: usize| {
+            let n = patterns.len() as f64;
+            let mean = patterns.iter().map(value).sum::<f64>() / n;
+            let squares = patterns.iter().map(|p| (value(p) - mean).powi(2)).sum::<f64>();
+            format!("{mean:.digits$} ± {:.digits$}", (squares / (n - 1.0)).sqrt())
+        };
+        println!(
+            "| {} | {} | {} | {} |",
+            run.key,
+            search.map_or("the engine", Search::name),
+            told(|p| p.mixed_edges, 3),
+            told(|p| f64::from(p.patches[0]), 1),
+        );
     }
 }
 
