@@ -6,6 +6,7 @@ pub mod detail;
 mod events;
 pub mod figures;
 pub mod gallery;
+mod hand;
 mod history;
 pub mod link;
 mod meshes;

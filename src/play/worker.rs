@@ -10,14 +10,12 @@ use crate::surface::Mesh;
 use crate::tissue::{Diary, Growth, Noise, Progress};
 use std::sync::Arc;
 
-/// Grounds that are kept. One holds up to 130 MB of charts.
-const MOST_GROUNDS: usize = 2;
-
 /// Grows one plant at a time.
 pub struct Worker {
     plants: &'static [Plant],
     /// The texts of the mesh files that came, by name.
     meshes: Vec<(String, String)>,
+    most_grounds: usize,
     /// Grounds of the plants grown last, the newest at the end: to make one takes longer than the
     /// first days of its plant.
     grounds: Vec<Ground>,
@@ -40,8 +38,9 @@ struct Run {
 }
 
 impl Worker {
-    pub fn new(plants: &'static [Plant]) -> Worker {
-        Worker { plants, meshes: Vec::new(), grounds: Vec::new(), run: None }
+    /// `most_grounds`: plants whose ground is kept, at least 1. One holds up to 130 MB of charts.
+    pub fn new(plants: &'static [Plant], most_grounds: usize) -> Worker {
+        Worker { plants, meshes: Vec::new(), most_grounds, grounds: Vec::new(), run: None }
     }
 
     /// What a worker says first.
@@ -122,14 +121,14 @@ impl Worker {
             self.grounds.push(known);
             return Ok(self.grounds.len() - 1);
         }
+        // First, so that the new one finds their room.
+        let others = self.grounds.len().min(self.most_grounds - 1);
+        self.grounds.drain(..self.grounds.len() - others);
         let mesh = self.meshes.iter().find(|(name, _)| name == plant.mesh.name);
         let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.mesh.name))?;
         let body = (plant.body)(text).map_err(|why| format!("{}: {why}", plant.mesh.name))?;
         let surface = Arc::new(body.surface);
         let finder = SiteFinder::new(&surface).coloured(plant.controls());
-        if self.grounds.len() == MOST_GROUNDS {
-            self.grounds.remove(0);
-        }
         self.grounds.push(Ground { plant: plant.key, surface, finder });
         Ok(self.grounds.len() - 1)
     }
