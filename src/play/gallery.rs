@@ -152,7 +152,7 @@ impl Gallery {
                 let Some(run) = run else { return };
                 let is_last = news.day >= run.scene.day;
                 run.add(news);
-                if is_last && hand.grows == Some(run.generation) {
+                if is_last {
                     hand.grows = None;
                     effects.push((number, Effect::Post(ToWorker::Stop)));
                 }

@@ -10,6 +10,7 @@ use crate::tissue::Progress;
 use std::sync::Arc;
 
 mod late;
+mod looking;
 mod losses;
 
 /// A page and a worker with a mailbox between them, through the words of the protocol.
@@ -23,6 +24,8 @@ struct Together {
     said: Vec<String>,
     told: Vec<String>,
     wishes: usize,
+    /// Mesh files that were handed to workers.
+    files: usize,
     loads: Vec<&'static str>,
 }
 
@@ -38,6 +41,7 @@ impl Together {
             said: Vec::new(),
             told: Vec::new(),
             wishes: 0,
+            files: 0,
             loads: Vec::new(),
         };
         all.take(effects);
@@ -67,6 +71,7 @@ impl Together {
                 }
                 Effect::Post(wish) => {
                     self.wishes += usize::from(matches!(wish, ToWorker::Grow { .. }));
+                    self.files += usize::from(matches!(wish, ToWorker::Mesh { .. }));
                     let wish = ToWorker::from_words(&wish.to_words()).unwrap();
                     let answer = self.worker.as_mut().and_then(|worker| worker.hear(wish));
                     self.mailbox.extend(answer.map(|answer| answer.to_words()));
@@ -376,7 +381,7 @@ fn each_mesh_is_loaded_once() {
         all.finish();
         assert_eq!(all.page.drawn().unwrap().plant, plant);
     }
-    assert_eq!(all.loads, ["leaf", "fruit"]);
+    assert_eq!((all.loads, all.files), (vec!["leaf", "fruit"], 2));
 }
 
 #[test]

@@ -145,3 +145,43 @@ impl Ground {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::PLANTS;
+    use super::*;
+
+    fn mesh(name: &str) -> ToWorker {
+        ToWorker::Mesh { name: name.to_string(), text: String::new() }
+    }
+
+    fn grow(plant: &str) -> ToWorker {
+        ToWorker::Grow { generation: 1, link: format!("{plant}?v=1&s=1&d=1") }
+    }
+
+    #[test]
+    fn grounds_are_kept_up_to_their_number() {
+        for most in [1, 2] {
+            let mut worker = Worker::new(PLANTS, most);
+            worker.hear(mesh("leaf"));
+            worker.hear(mesh("fruit"));
+            for plant in ["leaf", "leaf", "fruit", "leaf"] {
+                assert_eq!(worker.hear(grow(plant)), None);
+                worker.work(|| false, |_| {});
+                assert_eq!(worker.grounds.last().unwrap().plant, plant);
+            }
+            assert_eq!(worker.grounds.len(), most);
+        }
+    }
+
+    #[test]
+    fn a_plant_whose_mesh_has_not_come_is_refused() {
+        let mut worker = Worker::new(PLANTS, 1);
+        worker.hear(mesh("fruit"));
+        let text = "leaf has not come".to_string();
+        assert_eq!(worker.hear(grow("leaf")), Some(ToPage::Failed { generation: 1, text }));
+        assert_eq!(worker.hear(grow("fruit")), None);
+        worker.hear(ToWorker::Stop);
+        assert!(!worker.is_busy());
+    }
+}

@@ -6,6 +6,7 @@
 mod figures;
 mod journeys;
 mod ladder;
+mod losses;
 mod measure;
 mod page;
 mod pixels;

@@ -153,10 +153,12 @@ fn days_go_together_up_to_each_pictures_own() {
 
 #[test]
 fn another_row_takes_the_workers_over() {
-    let mut all = Together::new(1);
+    let mut all = Together::new(2);
     all.hear(Event::Open(&ROW));
     all.work();
     all.hear(Event::Open(&OTHER));
+    let busy = all.workers.iter().flatten().filter(|worker| worker.is_busy()).count();
+    assert_eq!(busy, 1, "it has one growth");
     all.finish();
     assert_eq!(all.days(), [Some(4)]);
 }
@@ -177,6 +179,29 @@ fn a_late_end_frees_no_worker_of_the_new_row() {
         assert_eq!(all.wishes, [0, 0], "{late:?}: one for each row");
         let row = all.gallery.row().unwrap();
         assert_eq!((row.shown(0).unwrap().day, row.trouble.clone()), (4, None), "{late:?}");
+    }
+}
+
+#[test]
+fn growths_that_end_early_free_their_worker() {
+    for early in [
+        ToPage::Full { generation: 1 },
+        ToPage::Failed { generation: 1, text: "it cannot be".to_string() },
+    ] {
+        let mut all = Together::new(1);
+        all.hear(Event::Open(&ROW));
+        while all.days()[0].is_none() {
+            all.work();
+        }
+        all.workers[0].as_mut().unwrap().hear(ToWorker::Stop);
+        all.mailbox = vec![(0, early.clone())];
+        all.finish();
+        assert_eq!((all.days()[1..].to_vec(), &all.wishes), (vec![Some(0), Some(5)], &vec![0, 0]));
+        let is_full = matches!(early, ToPage::Full { .. });
+        let state = if is_full { State::Ready } else { State::Error };
+        assert_eq!(all.gallery.row().unwrap().state(|_, _| true), state);
+        all.hear(Event::Day(3));
+        assert_eq!(all.wishes.len(), 2, "that is no reason to grow it again");
     }
 }
 
@@ -220,6 +245,29 @@ fn what_a_lost_worker_grew_is_given_to_another() {
 }
 
 #[test]
+fn workers_that_work_may_be_lost_again_and_again() {
+    const WIDE: Figure = Figure {
+        pictures: &[
+            Picture { label: "", link: "leaf?v=1&s=1&d=3" },
+            Picture { label: "", link: "leaf?v=1&s=2&d=3" },
+            Picture { label: "", link: "leaf?v=1&s=3&d=3" },
+        ],
+        ..ROW
+    };
+    let mut all = Together::new(1);
+    all.hear(Event::Open(&WIDE));
+    for picture in 0..3 {
+        while all.days()[picture].is_none() {
+            all.work();
+        }
+        all.kill(0);
+    }
+    all.finish();
+    assert_eq!((all.days(), all.starts), (vec![Some(3); 3], 4));
+    assert_eq!(all.gallery.row().unwrap().trouble, None);
+}
+
+#[test]
 fn a_growth_that_kills_its_workers_is_told_and_the_others_go_on() {
     let mut all = Together::new(1);
     all.hear(Event::Open(&ROW));
@@ -257,8 +305,11 @@ fn workers_that_never_speak_are_not_started_without_end() {
     );
     // A row that is opened anew is tried anew.
     all.hear(Event::Open(&ROW));
+    all.kill(0);
     all.finish();
-    assert_eq!((all.days(), all.starts), (vec![Some(2), Some(4), Some(5)], 8));
+    assert_eq!((all.days(), all.starts), (vec![Some(2), Some(4), Some(5)], 9));
+    let effects = all.gallery.hear(Event::WorkerLost(1, String::new()));
+    assert_eq!(effects, [(1, Effect::EndWorker), (1, Effect::StartWorker)]);
 }
 
 #[test]
@@ -279,6 +330,20 @@ fn a_mesh_that_does_not_come_is_told_and_asked_for_when_the_row_is_wished_again(
     assert_eq!(gallery.hear(Event::Day(2)).len(), 1);
     let effects = gallery.hear(Event::Mesh { name: "leaf", text: Ok(String::new()) });
     assert!(matches!(effects[..], [(0, Effect::Post(_)), (0, Effect::Post(_))]), "{effects:?}");
+}
+
+#[test]
+fn a_file_of_another_row_is_no_reason_to_try_again() {
+    let mut gallery = Gallery::new(PLANTS, 1);
+    gallery.hear(Event::FromWorker(0, Worker::hello()));
+    gallery.hear(Event::Open(&ROW));
+    gallery.hear(Event::Mesh { name: "leaf", text: Err("no connection".to_string()) });
+    gallery.hear(Event::Open(&OTHER));
+    gallery.hear(Event::Mesh { name: "fruit", text: Ok(String::new()) });
+    let text = "it cannot be".to_string();
+    gallery.hear(Event::FromWorker(0, ToPage::Failed { generation: 3, text }));
+    assert_eq!(gallery.hear(Event::Day(1)), []);
+    assert!(gallery.row().unwrap().trouble.as_ref().unwrap().contains("cannot be grown"));
 }
 
 #[test]

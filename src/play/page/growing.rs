@@ -44,7 +44,6 @@ impl Page {
     /// Makes room for the figures: days and worker are given up until the plant is opened again.
     pub(super) fn leave(&mut self, effects: &mut Vec<Effect>) {
         self.is_away = true;
-        self.playhead.restart(self.playhead.wished_day());
         self.run = Run::new(self.run.generation + 1, self.wished_scene());
         self.shown = bare(&self.scene);
         self.drawn = None;
@@ -60,11 +59,9 @@ impl Page {
                 self.wish(effects);
             }
             ToPage::Day(news) => {
-                self.hand.forgive();
-                let first = self.run.newest().is_none();
                 self.run.add(news);
-                // The first day is seen at once, and so is each with less motion.
-                if first || self.less_motion {
+                // With less motion each day is seen at once.
+                if self.less_motion {
                     self.playhead.advance(0.0, self.run.newest(), self.run.last_day());
                 }
             }
@@ -74,7 +71,6 @@ impl Page {
             }
             ToPage::Done { generation } if generation == current => self.end(End::Done),
             ToPage::Failed { generation, text } if generation == current => {
-                self.hand.finish(generation);
                 self.fail(format!("This cannot be grown: {text}."), effects);
             }
             // Of a growth that is wished no more.
@@ -100,17 +96,17 @@ impl Page {
         }
     }
 
-    /// The worker is gone. If it was growing, what it grew is taken to have been too much for it: days
+    /// The worker is gone. If it was growing what is wished, that is taken to have been too much for it: days
     /// that have come are kept where they are what was wished, else the scene that worked last comes
     /// back, or the preset of the plant. So the same link does not kill the next worker, too.
     pub(super) fn lose(&mut self, why: String, effects: &mut Vec<Effect>) {
         let (may_start, grew) = self.hand.lose();
         self.end_worker(effects);
-        if self.is_away || self.run.end.is_some() {
+        if self.run.end.is_some() {
             // The next wish starts another one.
             return;
         }
-        if grew.is_none() {
+        if grew != Some(self.run.generation) {
             return if may_start { self.wish(effects) } else { self.fail(why, effects) };
         }
         let preset = || Scene::preset(self.scene.plant, self.scene.individual);
@@ -145,7 +141,6 @@ impl Page {
 
     /// The growth is over. If that was early, no later day may be waited for.
     fn end(&mut self, end: End) {
-        self.hand.finish(self.run.generation);
         self.run.end = Some(end);
         if self.playhead.wished_day() > self.run.last_day() {
             self.playhead.seek(self.run.last_day(), self.run.newest());

@@ -39,6 +39,18 @@ fn late_days_are_not_taken_for_those_of_the_new_growth() {
 }
 
 #[test]
+fn late_days_do_not_come_back_behind_the_figures() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=6");
+    while all.mailbox.is_empty() {
+        all.grow();
+    }
+    let late = ToPage::from_words(&all.mailbox[0]).unwrap();
+    all.hear(Event::OpenLink("#figures".to_string()));
+    all.hear(Event::FromWorker(late));
+    assert_eq!(all.page.run().newest(), None);
+}
+
+#[test]
 fn a_late_end_does_not_end_the_new_growth() {
     let done = |said: &[ToPage]| matches!(said.last(), Some(ToPage::Done { .. }));
     let mut all = with_answers_under_way("#leaf?v=1&s=1&d=6", done);

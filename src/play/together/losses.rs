@@ -26,9 +26,10 @@ fn the_figures_get_the_room_of_the_plant_and_it_comes_back() {
     let mut all = Together::open("#leaf?v=1&s=7&d=5");
     all.finish();
     let before = all.fingerprint();
-    all.hear(Event::OpenLink("#figures".to_string()));
+    let effects = all.page.hear(Event::OpenLink("#figures".to_string()));
+    assert_eq!((all.page.state(), all.page.drawn()), (State::Loading, None));
+    all.take(effects);
     assert!(all.worker.is_none() && all.page.run().newest().is_none());
-    assert_eq!(all.page.state(), State::Loading);
     // A file for the figures is no reason to grow.
     all.hear(Event::Mesh { name: "leaf", text: Ok(String::new()) });
     all.hear(Event::OpenLink("#figures/4.1".to_string()));
@@ -55,6 +56,43 @@ fn a_file_that_was_not_waited_for_changes_nothing() {
     all.hear(Event::Individual(2.0));
     let effects = all.page.hear(Event::Mesh { name: "leaf", text: Ok(String::new()) });
     assert_eq!(posts(&effects), 0);
+}
+
+#[test]
+fn a_file_that_is_not_wished_any_more_is_no_trouble() {
+    for away in [Event::ChoosePlant("fruit".to_string()), Event::OpenLink("#figures".to_string())] {
+        let (mut page, _) = Page::open("#leaf?v=1&s=1&d=1", PLANTS);
+        page.hear(away.clone());
+        let effects = page.hear(Event::Mesh { name: "leaf", text: Err("404".to_string()) });
+        assert_eq!((effects, page.state()), (vec![], State::Loading), "{away:?}");
+    }
+}
+
+#[test]
+fn the_page_has_a_mesh_when_its_worker_has_it() {
+    let (mut page, _) = Page::open("#leaf?v=1&s=1&d=1", PLANTS);
+    page.hear(Event::Mesh { name: "leaf", text: Ok("f 1 2 3".to_string()) });
+    assert_eq!(page.mesh(), None, "the first cells come first");
+    page.hear(Event::FromWorker(Worker::hello()));
+    assert_eq!(page.mesh(), Some("f 1 2 3"));
+    // It needs it still when the worker is gone.
+    page.hear(Event::WorkerLost(String::new()));
+    assert_eq!(page.mesh(), Some("f 1 2 3"));
+}
+
+#[test]
+fn a_plant_that_waits_for_its_file_did_not_kill_the_worker() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=3");
+    all.work_until_day(1);
+    let effects = all.page.hear(Event::ChoosePlant("fruit".to_string()));
+    assert!(effects.contains(&Effect::LoadMesh("fruit")));
+    // It was the one before.
+    all.kill();
+    assert_eq!((all.starts, all.told.len()), (2, 0));
+    all.hear(Event::Mesh { name: "fruit", text: Ok(String::new()) });
+    all.finish();
+    assert_eq!(all.page.state(), State::Ready);
+    assert_eq!(all.page.drawn().unwrap().plant, "fruit");
 }
 
 #[test]
@@ -160,7 +198,8 @@ fn days_that_have_come_stay_when_the_wished_one_is_among_them() {
     all.hear(Event::Seek(99));
     all.rest();
     assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(3)));
-    assert_eq!(all.starts, 1, "nobody needs a worker yet");
+    all.hear(Event::Change { key: "bo", value: 0.7 });
+    assert_eq!((all.starts, all.wishes), (1, 1), "nobody needs a worker yet");
     all.hear(Event::Individual(2.0));
     all.finish();
     assert_eq!((all.page.state(), all.starts), (State::Ready, 2));
@@ -179,12 +218,24 @@ fn a_day_that_was_wished_later_is_given_up() {
 }
 
 #[test]
+fn a_wished_day_that_has_come_stays_before_it_is_seen() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=2&df=4");
+    all.work_until_day(2);
+    assert_eq!(all.page.state(), State::Growing);
+    all.kill();
+    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=2&df=4&days=2");
+    all.rest();
+    assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(2)));
+}
+
+#[test]
 fn a_first_day_alone_is_kept_too() {
     let mut all = Together::open("#leaf?v=1&s=1&d=0");
     all.work_until_day(0);
     all.kill();
     assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(0)));
     assert_eq!(all.page.run().last_day(), 0);
+    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=0&days=1");
 }
 
 #[test]
