@@ -102,7 +102,7 @@ mod tests {
         assert_eq!(history.redo().unwrap().individual, 3);
         history.go_on(individual(4), change);
         assert_eq!(history.undo().unwrap().individual, 3, "a step of its own");
-        history.go_on(individual(5), Change::View);
+        history.go_on(individual(5), change);
         assert_eq!(history.undo().unwrap().individual, 3);
     }
 

@@ -168,7 +168,9 @@ mod tests {
             for plant in ["leaf", "leaf", "fruit", "leaf"] {
                 assert_eq!(worker.hear(grow(plant)), None);
                 worker.work(|| false, |_| {});
-                assert_eq!(worker.grounds.last().unwrap().plant, plant);
+                let kept: Vec<_> = worker.grounds.iter().map(|ground| ground.plant).collect();
+                assert_eq!(kept.last(), Some(&plant));
+                assert!(kept.iter().all(|one| kept.iter().filter(|two| one == *two).count() == 1));
             }
             assert_eq!(worker.grounds.len(), most);
         }

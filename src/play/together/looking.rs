@@ -61,6 +61,7 @@ fn another_plant_is_not_turned_to() {
     let mut all = leaf();
     all.hear(turn(30.0));
     assert!(!all.page.camera().at_rest());
+    all.rest();
     all.hear(Event::ChoosePlant("fruit".to_string()));
     assert!(all.page.camera().at_rest());
 }
@@ -73,7 +74,11 @@ fn with_less_motion_nothing_moves() {
     assert_eq!((all.drawn_day(), all.page.is_moving()), (Some(2), false));
     all.work_until_day(4);
     assert_eq!((all.drawn_day(), all.page.state()), (Some(4), State::Ready));
-    all.hear(turn(30.0));
+    for _ in 0..2 {
+        all.hear(turn(30.0));
+    }
+    all.hear(Event::Undo);
+    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=4", "one step, as with motion");
     all.hear(Event::StepDays(-1));
     assert_eq!((all.drawn_day(), all.page.is_moving()), (Some(3), false));
     all.hear(Event::LessMotion(false));

@@ -28,6 +28,7 @@ fn the_figures_get_the_room_of_the_plant_and_it_comes_back() {
     let before = all.fingerprint();
     let effects = all.page.hear(Event::OpenLink("#figures".to_string()));
     assert_eq!((all.page.state(), all.page.drawn()), (State::Loading, None));
+    assert_eq!(all.page.shown().day, None, "nothing is told of what is not held");
     all.take(effects);
     assert!(all.worker.is_none() && all.page.run().newest().is_none());
     // A file for the figures is no reason to grow.
