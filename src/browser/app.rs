@@ -38,7 +38,7 @@ thread_local! {
 struct App {
     page: Page,
     stage: Stage,
-    /// The worker that grows the page's plant: started when that is to be seen for the first time.
+    /// The worker that grows the page's plant.
     mail: Option<Mail>,
     /// The figures while they are open.
     gallery: Option<Gallery>,
@@ -59,8 +59,7 @@ struct App {
 /// Starts the page: the worker and the graphics card at the same time.
 pub fn start() {
     let fragment = fragment();
-    let plant = if asked_figure(&fragment).is_some() { "" } else { &fragment };
-    let (page, effects) = Page::open(plant, plants::all());
+    let (page, effects) = Page::open(&fragment, plants::all());
     let stage = Stage::new();
     let mut app = App {
         mail: None,
@@ -80,13 +79,10 @@ pub fn start() {
         page,
         stage,
     };
-    match asked_figure(&fragment) {
-        Some(number) => app.gallery = Some(Gallery::open(number, &app.page.link())),
-        None => {
-            app.act(effects);
-            app.start_worker();
-        }
+    if let Some(number) = asked_figure(&fragment) {
+        app.gallery = Some(Gallery::open(number, &app.page.link()));
     }
+    app.act(effects);
     let calm = app.surroundings.less_motion();
     app.hear(Event::LessMotion(calm));
     APP.set(Some(app));
@@ -224,7 +220,7 @@ fn with(f: impl FnOnce(&mut App)) {
 
 impl App {
     fn start_worker(&mut self) {
-        let started = Mail::start(|said| match said {
+        let started = Mail::start("plant", |said| match said {
             Ok(answer) => send(Event::FromWorker(answer)),
             Err(why) => send(Event::WorkerLost(why)),
         });
@@ -244,12 +240,8 @@ impl App {
         }
         if let Some(number) = asked {
             self.gallery = Some(Gallery::open(number, &self.page.link()));
-            return self.refresh();
         }
         self.hear(Event::OpenLink(fragment));
-        if self.mail.is_none() {
-            self.start_worker();
-        }
     }
 
     fn hear_figures(&mut self, event: gallery::Event) {
@@ -280,18 +272,14 @@ impl App {
                         mail.post(&wish);
                     }
                 }
+                Effect::StartWorker => self.start_worker(),
+                Effect::EndWorker => self.mail = None,
                 Effect::Reload => {
                     if !mail::reload_once() {
-                        self.hear(Event::WorkerLost(
-                            "Parts of this page are of different versions. Please empty the \
-                             browser's cache for it and load it again."
-                                .to_string(),
-                        ));
+                        self.hear(Event::WorkerLost(mail::STRANGER.to_string()));
                     }
                 }
                 Effect::LoadMesh(name) => spawn_local(load_mesh(name)),
-                // The address of the figures stays while they are open.
-                Effect::WriteLink(_) if self.gallery.is_some() => {}
                 Effect::WriteLink(link) => write_link(&link),
                 Effect::Say(text) => {
                     document().set_title(&format!("{text} · Clonal Mosaic"));

@@ -7,8 +7,9 @@ use super::dom::{
     Listener, copy_of_template, document, find, mark_when_missing, on, set_attribute, set_flag,
     set_text, window, within,
 };
-use super::mail::Mail;
+use super::mail::{self, Mail};
 use super::stage::Stage;
+use super::worker::OF_FIGURES;
 use crate::draw::DrawError;
 use crate::plants;
 use crate::play::figures::{FIGURES, Figure};
@@ -30,7 +31,8 @@ const DRAW_MS: f64 = 8.0;
 /// The open figures; they end when this is dropped.
 pub struct Gallery {
     brain: gallery::Gallery,
-    workers: Vec<Mail>,
+    /// By their numbers.
+    workers: Vec<Option<Mail>>,
     root: HtmlElement,
     rows: Vec<RowView>,
     /// Until when the scroll must rest.
@@ -70,13 +72,7 @@ impl Gallery {
         show_view(true);
         // One core is for the page.
         let count = cores.saturating_sub(1).clamp(1, MOST_WORKERS);
-        let start = |number| {
-            Mail::start(move |said| match said {
-                Ok(answer) => app::send_to_figures(Event::FromWorker(number, answer)),
-                Err(why) => app::tell(&why),
-            })
-        };
-        let workers = (0..count).map_while(|number| start(number).ok()).collect();
+        let workers = (0..count).map(|_| None).collect();
         let asked = rows.iter().find(|row| row.figure.number == number);
         // Scrolled by hand: to scroll a row into view would scroll the page around it, too.
         root.set_scroll_top(asked.map_or(0, |row| row.element.offset_top()));
@@ -92,12 +88,40 @@ impl Gallery {
     pub fn hear(&mut self, event: Event) -> Vec<Effect> {
         let mut others = Vec::new();
         for (number, effect) in self.brain.hear(event) {
-            match (effect, self.workers.get(number)) {
-                (Effect::Post(wish), Some(worker)) => worker.post(&wish),
-                (effect, _) => others.push(effect),
+            let lost = match effect {
+                Effect::StartWorker => self.start_worker(number).err(),
+                Effect::Reload => (!mail::reload_once()).then(|| mail::STRANGER.to_string()),
+                Effect::EndWorker => {
+                    self.workers[number] = None;
+                    None
+                }
+                Effect::Post(wish) => {
+                    if let Some(worker) = &self.workers[number] {
+                        worker.post(&wish);
+                    }
+                    None
+                }
+                other => {
+                    others.push(other);
+                    None
+                }
+            };
+            if let Some(why) = lost {
+                others.extend(self.hear(Event::WorkerLost(number, why)));
             }
         }
         others
+    }
+
+    fn start_worker(&mut self, number: usize) -> Result<(), String> {
+        let mail = Mail::start(OF_FIGURES, move |said| {
+            app::send_to_figures(match said {
+                Ok(answer) => Event::FromWorker(number, answer),
+                Err(why) => Event::WorkerLost(number, why),
+            });
+        })?;
+        self.workers[number] = Some(mail);
+        Ok(())
     }
 
     /// Whether a figure is the one that grows.

@@ -8,7 +8,7 @@ use glam::Vec2;
 /// What can happen to the page.
 #[derive(Clone, Debug)]
 pub enum Event {
-    /// A link was opened: the fragment of an address.
+    /// A link was opened: the fragment of an address. One of the figures leaves the plant.
     OpenLink(String),
     /// The key of a plant was chosen: its preset, with the individual that is shown.
     ChoosePlant(String),
@@ -62,7 +62,7 @@ pub enum Event {
         name: &'static str,
         text: Result<String, String>,
     },
-    /// There is no worker, and why.
+    /// The worker is gone or cannot be had, and why.
     WorkerLost(String),
     /// What `shown` says is on the screen.
     Drawn {
@@ -85,6 +85,10 @@ pub struct Refusal {
 /// What the page's host has to do.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Effect {
+    /// Start a worker, in the place of the one that is there; `WorkerLost` if there is none to be had.
+    StartWorker,
+    /// End the worker.
+    EndWorker,
     Post(ToWorker),
     /// Load a mesh file: `Event::Mesh` is to follow.
     LoadMesh(&'static str),

@@ -3,13 +3,17 @@
 //! browser.
 
 use super::figures::Figure;
+use super::hand::Hand;
 use super::meshes::Meshes;
 use super::page::{Effect, State};
 use super::protocol::{BUILD, ToPage, ToWorker};
 use super::run::DayFacts;
-use super::{End, Run, Scene, link};
+use super::{End, Run, Scene, link, words};
 use crate::mosaic::SiteLists;
 use crate::plants::Plant;
+
+/// A growth that was lost with so many workers is not begun again.
+const MOST_LOSSES: usize = 2;
 
 /// What can happen to the figures.
 #[derive(Clone, Debug)]
@@ -20,6 +24,8 @@ pub enum Event {
     Day(u32),
     /// A worker, by its number, says something.
     FromWorker(usize, ToPage),
+    /// The worker of a number is gone or cannot be had, and why.
+    WorkerLost(usize, String),
     /// A mesh file came, or why it cannot.
     Mesh { name: &'static str, text: Result<String, String> },
 }
@@ -34,14 +40,6 @@ pub struct Gallery {
     generation: u32,
 }
 
-/// One worker as we know it.
-#[derive(Default)]
-struct Hand {
-    listens: bool,
-    /// The generation of what it grows.
-    grows: Option<u32>,
-}
-
 /// The row that grows.
 pub struct Row {
     pub figure: &'static Figure,
@@ -50,6 +48,8 @@ pub struct Row {
     pub day: u32,
     /// Pictures of one growth on different days share it.
     runs: Vec<Run>,
+    /// The generations of what workers grew when they were lost.
+    lost: Vec<u32>,
     /// Why something cannot be shown.
     pub trouble: Option<String>,
 }
@@ -65,7 +65,8 @@ pub struct ShownPicture<'a> {
 }
 
 impl Gallery {
-    /// `workers`: how many there will be; they are asked for nothing before they said hello.
+    /// `workers`: how many there will be at most. They are started as rows need them and asked for
+    /// nothing before they said hello.
     pub fn new(plants: &'static [Plant], workers: usize) -> Gallery {
         let hands = (0..workers).map(|_| Hand::default()).collect();
         Gallery { plants, hands, meshes: Meshes::default(), row: None, generation: 0 }
@@ -86,17 +87,14 @@ impl Gallery {
         let mut effects = Vec::new();
         match event {
             Event::Open(figure) => self.open(figure, &mut effects),
-            Event::Day(day) => {
-                if let Some(row) = &mut self.row {
-                    row.day = day.min(row.last_day());
-                }
-            }
+            Event::Day(day) => self.wish_day(day),
             Event::FromWorker(number, answer) => self.listen(number, answer, &mut effects),
+            Event::WorkerLost(number, why) => self.lose(number, why, &mut effects),
             Event::Mesh { name, text } => {
-                let why = self.meshes.take(name, text);
-                if let (Some(why), Some(row)) = (why, &mut self.row) {
-                    row.trouble = Some(super::words::no_mesh(row.plant(), &why));
-                    row.runs.iter_mut().for_each(|run| run.end = Some(End::Failed));
+                let news = self.meshes.take(name, text);
+                let row = self.row.as_mut().filter(|row| row.plant().mesh.name == name);
+                if let (Some(Err(why)), Some(row)) = (news, row) {
+                    row.give_up(words::no_mesh(row.plant(), &why));
                 }
             }
         }
@@ -120,12 +118,26 @@ impl Gallery {
             }
         }
         for (number, hand) in self.hands.iter_mut().enumerate() {
+            hand.forgive();
             if hand.grows.take().is_some() {
                 effects.push((number, Effect::Post(ToWorker::Stop)));
             }
+            if number < runs.len() {
+                effects.extend(hand.start().map(|start| (number, start)));
+            }
         }
         let day = pictures.iter().map(|picture| picture.day).max().unwrap_or(0);
-        self.row = Some(Row { figure, pictures, day, runs, trouble: None });
+        self.row = Some(Row { figure, pictures, day, runs, lost: Vec::new(), trouble: None });
+    }
+
+    /// A row whose mesh could not be had is tried again.
+    fn wish_day(&mut self, day: u32) {
+        let Some(row) = &mut self.row else { return };
+        row.day = day.min(row.last_day());
+        if self.meshes.has_failed(row.plant().mesh.name) {
+            row.trouble = None;
+            row.runs.iter_mut().for_each(|run| run.end = None);
+        }
     }
 
     fn listen(&mut self, number: usize, answer: ToPage, effects: &mut Vec<(usize, Effect)>) {
@@ -133,37 +145,53 @@ impl Gallery {
         let runs = self.row.as_mut().map(|row| &mut row.runs[..]).unwrap_or_default();
         match answer {
             ToPage::Hello { build } if build != BUILD => effects.push((number, Effect::Reload)),
-            ToPage::Hello { .. } => hand.listens = true,
+            ToPage::Hello { .. } => hand.greet(),
             ToPage::Day(news) => {
+                hand.forgive();
                 let run = runs.iter_mut().find(|run| run.generation == news.generation);
                 let Some(run) = run else { return };
                 let is_last = news.day >= run.scene.day;
                 run.add(news);
-                if is_last && hand.grows == Some(run.generation) {
+                if is_last {
                     hand.grows = None;
                     effects.push((number, Effect::Post(ToWorker::Stop)));
                 }
             }
-            ToPage::Full { generation } => {
+            ToPage::Full { generation } | ToPage::Done { generation } => {
                 hand.finish(generation);
                 if let Some(run) = runs.iter_mut().find(|run| run.generation == generation) {
-                    run.end = Some(End::Full);
+                    run.end = Some(End::Done);
                 }
             }
-            ToPage::Done { generation } => hand.finish(generation),
             ToPage::Failed { generation, text } => {
                 hand.finish(generation);
-                if let Some(run) = runs.iter_mut().find(|run| run.generation == generation) {
-                    run.end = Some(End::Failed);
-                    self.tell(text);
+                if let Some(row) = &mut self.row {
+                    row.fail(generation, format!("This cannot be grown: {text}."));
                 }
             }
         }
     }
 
-    fn tell(&mut self, why: String) {
-        if let Some(row) = &mut self.row {
-            row.trouble = Some(format!("This cannot be grown: {why}."));
+    /// Another worker begins what the lost one grew, unless that was lost before; days that have come
+    /// stay.
+    fn lose(&mut self, number: usize, why: String, effects: &mut Vec<(usize, Effect)>) {
+        let Some(hand) = self.hands.get_mut(number) else { return };
+        let (may_start, grew) = hand.lose();
+        self.meshes.forget(number);
+        effects.push((number, Effect::EndWorker));
+        if may_start {
+            effects.extend(hand.start().map(|start| (number, start)));
+        }
+        let nobody_is_left = self.hands.iter().all(Hand::is_missing);
+        let Some(row) = &mut self.row else { return };
+        if let Some(generation) = grew {
+            row.lost.push(generation);
+            if row.lost.iter().filter(|lost| **lost == generation).count() == MOST_LOSSES {
+                row.fail(generation, words::too_large());
+            }
+        }
+        if nobody_is_left {
+            row.give_up(why);
         }
     }
 
@@ -172,11 +200,11 @@ impl Gallery {
         let Some(row) = &mut self.row else { return };
         for run in &row.runs {
             let generation = run.generation;
-            let has_begun = run.newest().is_some() || run.end.is_some();
-            if has_begun || self.hands.iter().any(|h| h.grows == Some(generation)) {
+            let is_over = run.end.is_some() || run.newest() >= Some(run.scene.day);
+            if is_over || self.hands.iter().any(|h| h.grows == Some(generation)) {
                 continue;
             }
-            let resting = |hand: &Hand| hand.listens && hand.grows.is_none();
+            let resting = |hand: &Hand| hand.listens() && hand.grows.is_none();
             let Some(number) = self.hands.iter().position(resting) else { return };
             let mut wishes = Vec::new();
             if self.meshes.provide(run.scene.plant.mesh.name, Some(number), &mut wishes) {
@@ -185,14 +213,6 @@ impl Gallery {
                 wishes.push(Effect::Post(ToWorker::Grow { generation, link }));
             }
             effects.extend(wishes.into_iter().map(|wish| (number, wish)));
-        }
-    }
-}
-
-impl Hand {
-    fn finish(&mut self, generation: u32) {
-        if self.grows == Some(generation) {
-            self.grows = None;
         }
     }
 }
@@ -242,151 +262,21 @@ impl Row {
     fn plant(&self) -> &'static Plant {
         self.pictures[0].plant
     }
+
+    /// A growth of this row cannot go on, if it is one of this row.
+    fn fail(&mut self, generation: u32, why: String) {
+        if let Some(run) = self.runs.iter_mut().find(|run| run.generation == generation) {
+            run.end = Some(End::Failed);
+            self.trouble = Some(why);
+        }
+    }
+
+    /// Nothing that is yet to grow will.
+    fn give_up(&mut self, why: String) {
+        self.runs.iter_mut().for_each(|run| run.end = Some(End::Failed));
+        self.trouble = Some(why);
+    }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::figures::Picture;
-    use super::super::testing::PLANTS;
-    use super::super::worker::Worker;
-    use super::*;
-
-    const ROW: Figure = Figure {
-        number: "4.0",
-        title: "Leaves",
-        caption: "Three pictures of two growths.",
-        pictures: &[
-            Picture { label: "day 2", link: "leaf?v=1&s=1&d=2" },
-            Picture { label: "day 4", link: "leaf?v=1&s=1&d=4" },
-            Picture { label: "individual 2", link: "leaf?v=1&s=2&d=5" },
-        ],
-    };
-    const OTHER: Figure = Figure {
-        number: "4.1",
-        pictures: &[Picture { label: "", link: "fruit?v=1&s=3&d=4" }],
-        ..ROW
-    };
-
-    /// Figures and their workers, with a mailbox between them.
-    struct Together {
-        gallery: Gallery,
-        workers: Vec<Worker>,
-        loads: usize,
-        wishes: Vec<usize>,
-    }
-
-    impl Together {
-        fn new(workers: usize) -> Together {
-            let all = Together {
-                gallery: Gallery::new(PLANTS, workers),
-                workers: (0..workers).map(|_| Worker::new(PLANTS)).collect(),
-                loads: 0,
-                wishes: Vec::new(),
-            };
-            (0..workers).fold(all, |mut all, number| {
-                all.hear(Event::FromWorker(number, Worker::hello()));
-                all
-            })
-        }
-
-        fn hear(&mut self, event: Event) {
-            for (number, effect) in self.gallery.hear(event) {
-                match effect {
-                    Effect::LoadMesh(name) => {
-                        self.loads += 1;
-                        self.hear(Event::Mesh { name, text: Ok(String::new()) });
-                    }
-                    Effect::Post(wish) => {
-                        if matches!(wish, ToWorker::Grow { .. }) {
-                            self.wishes.push(number);
-                        }
-                        assert_eq!(self.workers[number].hear(wish), None);
-                    }
-                    other => panic!("{other:?}"),
-                }
-            }
-        }
-
-        /// Every worker that is busy does one event.
-        fn work(&mut self) {
-            for number in 0..self.workers.len() {
-                let mut answers = Vec::new();
-                self.workers[number].work(|| true, |answer| answers.push(answer));
-                for answer in answers {
-                    self.hear(Event::FromWorker(number, answer));
-                }
-            }
-        }
-
-        fn finish(&mut self) {
-            while self.workers.iter().any(Worker::is_busy) {
-                self.work();
-            }
-        }
-
-        fn days(&self) -> Vec<Option<u32>> {
-            let row = self.gallery.row().unwrap();
-            (0..row.pictures.len()).map(|k| row.shown(k).map(|shown| shown.day)).collect()
-        }
-    }
-
-    #[test]
-    fn a_row_grows_once_for_each_growth_with_any_number_of_workers() {
-        let fingerprints = [1, 2, 5].map(|workers| {
-            let mut all = Together::new(workers);
-            all.hear(Event::Open(&ROW));
-            assert_eq!(all.days(), [None; 3]);
-            let state = |all: &Together, drawn| all.gallery.row().unwrap().state(|_, _| drawn);
-            assert_eq!(state(&all, true), State::Loading);
-            while all.days().contains(&None) {
-                all.work();
-            }
-            assert_eq!(state(&all, true), State::Growing);
-            all.finish();
-            assert_eq!((state(&all, false), state(&all, true)), (State::Growing, State::Ready));
-            assert_eq!(all.days(), [Some(2), Some(4), Some(5)]);
-            assert_eq!(all.loads, 1);
-            assert_eq!(all.wishes, if workers == 1 { [0, 0] } else { [0, 1] });
-            let row = all.gallery.row().unwrap();
-            assert_eq!(row.runs[0].newest(), Some(4), "no day that nobody looks at grows");
-            [0, 1, 2].map(|k| row.shown(k).unwrap().facts.fingerprint.clone())
-        });
-        assert!(fingerprints.iter().all(|f| *f == fingerprints[0]));
-    }
-
-    #[test]
-    fn days_go_together_up_to_each_pictures_own() {
-        let mut all = Together::new(2);
-        all.hear(Event::Open(&ROW));
-        all.finish();
-        all.hear(Event::Day(3));
-        assert_eq!(all.days(), [Some(2), Some(3), Some(3)]);
-        let row = all.gallery.row().unwrap();
-        let linked = [0, 1, 2].map(|k| link::read(&row.link(k), PLANTS).scene.day);
-        assert_eq!(linked, [2, 3, 3], "what is seen is what opens");
-        all.hear(Event::Day(99));
-        assert_eq!(all.days(), [Some(2), Some(4), Some(5)]);
-    }
-
-    #[test]
-    fn another_row_takes_the_workers_over() {
-        let mut all = Together::new(1);
-        all.hear(Event::Open(&ROW));
-        all.work();
-        all.hear(Event::Open(&OTHER));
-        all.finish();
-        assert_eq!(all.days(), [Some(4)]);
-    }
-
-    #[test]
-    fn a_mesh_that_does_not_come_is_told_and_not_asked_for_again() {
-        let mut gallery = Gallery::new(PLANTS, 1);
-        gallery.hear(Event::FromWorker(0, Worker::hello()));
-        assert_eq!(gallery.hear(Event::Open(&ROW)), [(0, Effect::LoadMesh("leaf"))]);
-        let text = Err("no connection".to_string());
-        assert_eq!(gallery.hear(Event::Mesh { name: "leaf", text }), []);
-        let row = gallery.row().unwrap();
-        assert!(row.trouble.as_ref().unwrap().contains("no connection"));
-        assert_eq!(row.state(|_, _| true), State::Error);
-    }
-}
+mod tests;

@@ -70,3 +70,50 @@ impl History {
         Some(self.now())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::PLANTS;
+    use super::*;
+
+    fn individual(number: u32) -> Scene {
+        Scene::preset(&PLANTS[0], number)
+    }
+
+    #[test]
+    fn a_new_scene_forgets_what_was_undone() {
+        let mut history = History::new(individual(0));
+        (1..=3).for_each(|number| history.go_on(individual(number), Change::Other));
+        assert!(history.redo().is_none() && !history.can_redo());
+        history.undo();
+        assert_eq!(history.undo().unwrap().individual, 1);
+        assert_eq!(history.redo().unwrap().individual, 2);
+        history.go_on(individual(9), Change::Other);
+        assert!(!history.can_redo());
+        assert_eq!(history.undo().unwrap().individual, 2);
+    }
+
+    #[test]
+    fn runs_of_one_change_are_a_step_but_not_across_steps_back() {
+        let mut history = History::new(individual(0));
+        let change = Change::Parameter("df");
+        (1..=3).for_each(|number| history.go_on(individual(number), change));
+        assert_eq!(history.undo().unwrap().individual, 0);
+        assert_eq!(history.redo().unwrap().individual, 3);
+        history.go_on(individual(4), change);
+        assert_eq!(history.undo().unwrap().individual, 3, "a step of its own");
+        history.go_on(individual(5), change);
+        assert_eq!(history.undo().unwrap().individual, 3);
+    }
+
+    #[test]
+    fn it_has_an_end() {
+        let mut history = History::new(individual(0));
+        (1..=500).for_each(|number| history.go_on(individual(number), Change::Other));
+        let mut steps = 0;
+        while history.undo().is_some() {
+            steps += 1;
+        }
+        assert_eq!((steps, history.now().individual), (MOST - 1, 500 + 1 - MOST as u32));
+    }
+}

@@ -11,55 +11,90 @@ pub struct Meshes {
 #[derive(Debug)]
 struct File {
     name: &'static str,
-    /// None while it is on its way.
-    text: Option<String>,
+    text: Text,
     /// The numbers of the workers that have it.
     handed_to: Vec<usize>,
+    /// Whether any worker ever had it.
+    was_handed: bool,
+}
+
+#[derive(Debug, PartialEq)]
+enum Text {
+    OnItsWay,
+    /// It could not be had; the next wish asks for it again.
+    Failed,
+    Here(String),
 }
 
 impl Meshes {
     /// What stands in a file, once a worker has it, too: the first cells wait for the worker, and so
     /// a page that builds the body for itself does that while the worker is busy.
     pub fn text(&self, name: &str) -> Option<&str> {
-        let handed = |file: &&File| file.name == name && !file.handed_to.is_empty();
-        self.files.iter().find(handed)?.text.as_deref()
+        match self.files.iter().find(|file| file.name == name && file.was_handed)?.text {
+            Text::Here(ref text) => Some(text),
+            _ => None,
+        }
     }
 
-    /// Whether a file is there. Has it loaded if it was not asked for yet, and hands it to the worker
-    /// of a number, given if that one listens, unless it has it.
+    /// Whether a file could not be had when it was asked for last.
+    pub fn has_failed(&self, name: &str) -> bool {
+        self.files.iter().any(|file| file.name == name && file.text == Text::Failed)
+    }
+
+    /// Whether a file is there. Has it loaded if it is not on its way, and hands it to the worker of
+    /// a number, given if that one listens, unless it has it.
     pub fn provide(
         &mut self,
         name: &'static str,
         worker: Option<usize>,
         effects: &mut Vec<Effect>,
     ) -> bool {
-        let Some(file) = self.files.iter_mut().find(|file| file.name == name) else {
-            self.files.push(File { name, text: None, handed_to: Vec::new() });
-            effects.push(Effect::LoadMesh(name));
-            return false;
+        let known = self.files.iter().position(|file| file.name == name);
+        let known = known.unwrap_or_else(|| {
+            let (text, handed_to) = (Text::Failed, Vec::new());
+            self.files.push(File { name, text, handed_to, was_handed: false });
+            self.files.len() - 1
+        });
+        let file = &mut self.files[known];
+        let text = match &file.text {
+            Text::OnItsWay => return false,
+            Text::Failed => {
+                file.text = Text::OnItsWay;
+                effects.push(Effect::LoadMesh(name));
+                return false;
+            }
+            Text::Here(text) => text,
         };
-        let Some(text) = &file.text else { return false };
         if let Some(worker) = worker.filter(|worker| !file.handed_to.contains(worker)) {
             file.handed_to.push(worker);
+            file.was_handed = true;
             let (name, text) = (name.to_string(), text.clone());
             effects.push(Effect::Post(ToWorker::Mesh { name, text }));
         }
         true
     }
 
-    /// Takes a file that came. One that cannot is forgotten, so that the next wish asks for it
-    /// again, and the reason returned.
-    pub fn take(&mut self, name: &str, text: Result<String, String>) -> Option<String> {
-        match text {
-            Ok(text) => {
-                let file = self.files.iter_mut().find(|file| file.name == name)?;
-                file.text = Some(text);
-                None
+    /// Takes a file that came, or why it cannot. That is news only where it was waited for, and
+    /// returned then: the other brain of the page asks for files, too.
+    pub fn take(&mut self, name: &str, text: Result<String, String>) -> Option<Result<(), String>> {
+        let file = self.files.iter_mut().find(|file| file.name == name)?;
+        match (&file.text, text) {
+            (Text::Here(_), _) | (Text::Failed, Err(_)) => None,
+            (_, Ok(text)) => {
+                file.text = Text::Here(text);
+                Some(Ok(()))
             }
-            Err(why) => {
-                self.files.retain(|file| file.name != name);
-                Some(why)
+            (Text::OnItsWay, Err(why)) => {
+                file.text = Text::Failed;
+                Some(Err(why))
             }
+        }
+    }
+
+    /// The worker of a number is gone, and its files with it.
+    pub fn forget(&mut self, worker: usize) {
+        for file in &mut self.files {
+            file.handed_to.retain(|number| *number != worker);
         }
     }
 }

@@ -7,6 +7,7 @@ pub mod detail;
 mod events;
 pub mod figures;
 pub mod gallery;
+mod hand;
 pub mod handed;
 mod history;
 pub mod link;

@@ -2,13 +2,16 @@
 //! says what is to be done. It knows no browser; whoever hosts it brings the screen into agreement
 //! with `shown`, `camera` and the rest after each event.
 
+mod growing;
+
 use super::camera::Camera;
+use super::figures::asked_figure;
+use super::hand::Hand;
 use super::history::{Change, History};
 use super::link::{self, INDIVIDUAL, individual};
 use super::meshes::Meshes;
 use super::parameters::Parameter;
 use super::playhead::Playhead;
-use super::protocol::{BUILD, ToPage, ToWorker};
 use super::run::{End, Run};
 use super::scene::Scene;
 use super::words;
@@ -28,19 +31,25 @@ pub struct Page {
     drawn: Option<Shown>,
     /// Whether it was drawn with all pixels once.
     sharp: bool,
-    worker_listens: bool,
+    /// The worker that grows the plant.
+    hand: Hand,
     meshes: Meshes,
+    /// The scene that was ready last: what to go back to when a worker is lost.
+    worked: Option<Scene>,
+    /// Whether the figures stand in the place of the plant: then nothing grows here.
+    is_away: bool,
     refusal: Option<Refusal>,
-    broken: bool,
     less_motion: bool,
     written: String,
     said: String,
 }
 
 impl Page {
-    /// Opens a link. The growth is asked for when the worker says hello.
+    /// Opens a link, or waits behind the figures if the fragment asks for those. The growth is asked
+    /// for when the worker says hello.
     pub fn open(fragment: &str, plants: &'static [Plant]) -> (Page, Vec<Effect>) {
-        let opened = link::read(fragment, plants);
+        let is_away = asked_figure(fragment).is_some();
+        let opened = link::read(if is_away { "" } else { fragment }, plants);
         let scene = opened.scene;
         let mut page = Page {
             plants,
@@ -51,10 +60,11 @@ impl Page {
             shown: bare(&scene),
             drawn: None,
             sharp: false,
-            worker_listens: false,
+            hand: Hand::default(),
             meshes: Meshes::default(),
+            worked: None,
+            is_away,
             refusal: None,
-            broken: false,
             less_motion: false,
             written: String::new(),
             said: String::new(),
@@ -62,7 +72,7 @@ impl Page {
         };
         let mut effects = vec![Effect::Tell(opened.left_out)];
         page.wish(&mut effects);
-        page.settle(&mut effects);
+        page.settle(Change::Other, &mut effects);
         (page, effects)
     }
 
@@ -81,10 +91,7 @@ impl Page {
         if self.is_settled() {
             self.scene.day = self.playhead.wished_day();
             self.scene.orbit = self.camera.wished();
-            if self.scene != *self.history.now() {
-                self.history.go_on(self.scene.clone(), change);
-            }
-            self.settle(&mut effects);
+            self.settle(change, &mut effects);
         }
         effects
     }
@@ -130,7 +137,7 @@ impl Page {
     }
 
     pub fn state(&self) -> State {
-        if self.broken || matches!(self.run.end, Some(End::Failed)) {
+        if self.run.end == Some(End::Failed) {
             return State::Error;
         }
         let Some(Shown { generation, day: Some(day), .. }) = &self.drawn else {
@@ -163,6 +170,7 @@ impl Page {
     fn take(&mut self, event: Event, effects: &mut Vec<Effect>) {
         let (newest, last_day) = (self.run.newest(), self.run.last_day());
         match event {
+            Event::OpenLink(fragment) if asked_figure(&fragment).is_some() => self.leave(effects),
             Event::OpenLink(fragment) => {
                 let opened = link::read(&fragment, self.plants);
                 // The address bar holds what was typed: it is to hold what was understood.
@@ -196,13 +204,15 @@ impl Page {
             }
             Event::Noise(noise) => self.adopt(Scene { noise, ..self.wished_scene() }, effects),
             Event::Show(show) => self.adopt(Scene { show, ..self.wished_scene() }, effects),
-            Event::Seek(day) => self.playhead.seek(day.min(last_day), newest),
+            Event::Seek(day) => self.seek(day, effects),
             Event::StepDays(by) => {
-                let day = self.playhead.wished_day().saturating_add_signed(by);
-                self.playhead.seek(day.min(last_day), newest);
+                self.seek(self.playhead.wished_day().saturating_add_signed(by), effects);
             }
             Event::Scrub(time) => self.playhead.scrub(time, newest, last_day),
-            Event::LetGo => self.playhead.let_go(),
+            Event::LetGo => {
+                self.playhead.let_go();
+                self.try_again(effects);
+            }
             Event::PlayOrPause if self.playhead.is_playing() => self.playhead.pause(),
             Event::PlayOrPause => self.playhead.play(last_day),
             Event::Speed(speed) => self.playhead.speed = speed,
@@ -215,12 +225,15 @@ impl Page {
             Event::ResetView => {
                 self.camera.wish(Scene::preset(self.scene.plant, 0).orbit);
             }
+            // Where a step comes to rest on the very scene that it left, the address is the same.
             Event::Undo => {
+                self.written.clear();
                 if let Some(scene) = self.history.undo().cloned() {
                     self.adopt(scene, effects);
                 }
             }
             Event::Redo => {
+                self.written.clear();
                 if let Some(scene) = self.history.redo().cloned() {
                     self.adopt(scene, effects);
                 }
@@ -234,19 +247,8 @@ impl Page {
                 self.camera.advance(seconds as f32);
             }
             Event::FromWorker(answer) => self.listen(answer, effects),
-            Event::Mesh { name, text } => {
-                let why = self.meshes.take(name, text);
-                if self.run.scene.plant.mesh.name == name {
-                    match why {
-                        None => self.wish(effects),
-                        Some(why) => self.fail(words::no_mesh(self.run.scene.plant, &why), effects),
-                    }
-                }
-            }
-            Event::WorkerLost(why) => {
-                self.broken = true;
-                effects.push(Effect::Tell(vec![why]));
-            }
+            Event::Mesh { name, text } => self.take_mesh(name, text, effects),
+            Event::WorkerLost(why) => self.lose(why, effects),
             Event::Drawn { sharp } => {
                 self.sharp = sharp || self.sharp && self.drawn.as_ref() == Some(&self.shown);
                 self.drawn = Some(self.shown.clone());
@@ -255,45 +257,6 @@ impl Page {
         }
         if self.less_motion {
             self.camera.jump();
-        }
-    }
-
-    fn listen(&mut self, answer: ToPage, effects: &mut Vec<Effect>) {
-        let current = self.run.generation;
-        match answer {
-            ToPage::Hello { build } if build != BUILD => effects.push(Effect::Reload),
-            ToPage::Hello { .. } => {
-                self.worker_listens = true;
-                self.wish(effects);
-            }
-            ToPage::Day(news) => {
-                let first = self.run.newest().is_none();
-                self.run.add(news);
-                // The first day is seen at once, and so is each with less motion.
-                if first || self.less_motion {
-                    self.playhead.advance(0.0, self.run.newest(), self.run.last_day());
-                }
-            }
-            ToPage::Full { generation } if generation == current => {
-                self.run.end = Some(End::Full);
-                effects.push(Effect::Tell(vec![words::full(&self.run)]));
-                self.stay_within_grown();
-            }
-            ToPage::Done { generation } if generation == current => {
-                self.run.end = Some(End::Done);
-                self.stay_within_grown();
-            }
-            ToPage::Failed { generation, text } if generation == current => {
-                self.fail(format!("This cannot be grown: {text}."), effects);
-            }
-            ToPage::Full { .. } | ToPage::Done { .. } | ToPage::Failed { .. } => {}
-        }
-    }
-
-    /// After a growth ended early no later day may be waited for.
-    fn stay_within_grown(&mut self) {
-        if self.playhead.wished_day() > self.run.last_day() {
-            self.playhead.seek(self.run.last_day(), self.run.newest());
         }
     }
 
@@ -310,41 +273,26 @@ impl Page {
     /// Makes a scene the wished one: grows again only if it must.
     fn adopt(&mut self, scene: Scene, effects: &mut Vec<Effect>) {
         self.refusal = None;
-        // What was told of the last scene is over, but for a worker that is lost.
-        if !self.broken {
-            effects.push(Effect::Tell(Vec::new()));
-        }
+        // What was told of the last scene is over.
+        effects.push(Effect::Tell(Vec::new()));
         self.sharp &= scene.show == self.scene.show && scene.look == self.scene.look;
         self.camera.wish(scene.orbit);
         if scene.plant.key != self.scene.plant.key {
             self.camera.jump();
         }
-        if scene.grows_like(&self.run.scene) {
+        let comes_back = std::mem::take(&mut self.is_away);
+        let failed = self.run.end == Some(End::Failed);
+        if scene.grows_like(&self.run.scene) && !comes_back && !failed {
             self.playhead.seek(scene.day, self.run.newest());
         } else {
-            self.playhead.restart(scene.day);
-            self.run = Run::new(self.run.generation + 1, scene.clone());
-            self.wish(effects);
+            self.grow(scene.clone(), effects);
         }
         self.scene = scene;
     }
 
-    /// Asks for what grows, as soon as there are a mesh and a worker for it.
-    fn wish(&mut self, effects: &mut Vec<Effect>) {
-        let Run { generation, scene, .. } = &self.run;
-        let worker = self.worker_listens.then_some(0);
-        let has_mesh = self.meshes.provide(scene.plant.mesh.name, worker, effects);
-        if has_mesh && self.worker_listens {
-            let (generation, link) = (*generation, link::write(scene));
-            self.run.end = None;
-            effects.push(Effect::Post(ToWorker::Grow { generation, link }));
-        }
-    }
-
-    /// What is wished cannot be: the text says why.
-    fn fail(&mut self, text: String, effects: &mut Vec<Effect>) {
-        effects.push(Effect::Tell(vec![text]));
-        self.run.end = Some(End::Failed);
+    fn seek(&mut self, day: u32, effects: &mut Vec<Effect>) {
+        self.playhead.seek(day.min(self.run.last_day()), self.run.newest());
+        self.try_again(effects);
     }
 
     /// Decides what is to be on the screen. While nothing of a new growth has come, the picture
@@ -368,13 +316,21 @@ impl Page {
     }
 
     /// Writes the link and says what is shown, if they changed.
-    fn settle(&mut self, effects: &mut Vec<Effect>) {
+    fn settle(&mut self, change: Change, effects: &mut Vec<Effect>) {
+        // The address is that of the figures.
+        if self.is_away {
+            return;
+        }
         let link = link::write(&self.scene);
         if link != self.written {
+            if link != link::write(self.history.now()) {
+                self.history.go_on(self.scene.clone(), change);
+            }
             self.written.clone_from(&link);
             effects.push(Effect::WriteLink(link));
         }
         if self.state() == State::Ready {
+            self.worked = Some(self.scene.clone());
             let said = self.description();
             if said != self.said {
                 self.said.clone_from(&said);

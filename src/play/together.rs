@@ -9,14 +9,23 @@ use crate::plants::Show;
 use crate::tissue::Progress;
 use std::sync::Arc;
 
+mod late;
+mod looking;
+mod losses;
+
 /// A page and a worker with a mailbox between them, through the words of the protocol.
 struct Together {
     page: Page,
-    worker: Worker,
+    worker: Option<Worker>,
+    /// What the worker has said and the page has not heard yet.
+    mailbox: Vec<Vec<u32>>,
+    starts: usize,
     links: Vec<String>,
     said: Vec<String>,
     told: Vec<String>,
     wishes: usize,
+    /// Mesh files that were handed to workers.
+    files: usize,
     loads: Vec<&'static str>,
 }
 
@@ -25,15 +34,18 @@ impl Together {
         let (page, effects) = Page::open(fragment, PLANTS);
         let mut all = Together {
             page,
-            worker: Worker::new(PLANTS),
+            worker: None,
+            mailbox: Vec::new(),
+            starts: 0,
             links: Vec::new(),
             said: Vec::new(),
             told: Vec::new(),
             wishes: 0,
+            files: 0,
             loads: Vec::new(),
         };
         all.take(effects);
-        all.hear(Event::FromWorker(Worker::hello()));
+        all.deliver();
         all
     }
 
@@ -47,12 +59,22 @@ impl Together {
     fn take(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             match effect {
+                Effect::StartWorker => {
+                    self.starts += 1;
+                    self.worker = Some(Worker::new(PLANTS, 1));
+                    // What the one before has said is not heard any more.
+                    self.mailbox = vec![Worker::hello().to_words()];
+                }
+                Effect::EndWorker => {
+                    self.worker = None;
+                    self.mailbox.clear();
+                }
                 Effect::Post(wish) => {
                     self.wishes += usize::from(matches!(wish, ToWorker::Grow { .. }));
+                    self.files += usize::from(matches!(wish, ToWorker::Mesh { .. }));
                     let wish = ToWorker::from_words(&wish.to_words()).unwrap();
-                    if let Some(answer) = self.worker.hear(wish) {
-                        self.hear(Event::FromWorker(answer));
-                    }
+                    let answer = self.worker.as_mut().and_then(|worker| worker.hear(wish));
+                    self.mailbox.extend(answer.map(|answer| answer.to_words()));
                 }
                 Effect::LoadMesh(name) => {
                     self.loads.push(name);
@@ -66,14 +88,34 @@ impl Together {
         }
     }
 
-    /// Lets the worker do one relaxation event.
-    fn work(&mut self) {
-        let mut answers = Vec::new();
-        self.worker.work(|| true, |answer| answers.push(answer));
-        for answer in answers {
-            let answer = ToPage::from_words(&answer.to_words()).unwrap();
-            self.hear(Event::FromWorker(answer));
+    fn is_busy(&self) -> bool {
+        self.worker.as_ref().is_some_and(Worker::is_busy)
+    }
+
+    /// Lets the worker do one relaxation event; what it says is under way.
+    fn grow(&mut self) {
+        if let Some(worker) = &mut self.worker {
+            worker.work(|| true, |answer| self.mailbox.push(answer.to_words()));
         }
+    }
+
+    /// The page hears what is under way.
+    fn deliver(&mut self) {
+        for words in std::mem::take(&mut self.mailbox) {
+            self.hear(Event::FromWorker(ToPage::from_words(&words).unwrap()));
+        }
+    }
+
+    fn work(&mut self) {
+        self.grow();
+        self.deliver();
+    }
+
+    /// Takes the worker away.
+    fn kill(&mut self) {
+        self.worker = None;
+        self.mailbox.clear();
+        self.hear(Event::WorkerLost("It is gone.".to_string()));
     }
 
     fn work_until_day(&mut self, day: u32) {
@@ -83,7 +125,8 @@ impl Together {
     }
 
     fn finish(&mut self) {
-        while self.worker.is_busy() {
+        self.deliver();
+        while self.is_busy() {
             self.work();
         }
         self.rest();
@@ -241,7 +284,7 @@ fn parameters_regrow_or_not_and_can_be_undone() {
 }
 
 #[test]
-fn messages_go_with_the_scene_but_not_that_of_a_lost_worker() {
+fn messages_go_with_the_scene() {
     let mut all = Together::open("#leaf?v=1&s=1&d=2&zz=1");
     assert_eq!(all.told.len(), 1);
     all.hear(Event::Seek(1));
@@ -249,9 +292,6 @@ fn messages_go_with_the_scene_but_not_that_of_a_lost_worker() {
     assert_eq!(all.told.len(), 1, "nothing was taken yet");
     all.hear(Event::Change { key: "df", value: 3.0 });
     assert_eq!(all.told, [""; 0]);
-    all.hear(Event::WorkerLost("It is gone.".to_string()));
-    all.hear(Event::Individual(2.0));
-    assert_eq!(all.told, ["It is gone."]);
 }
 
 #[test]
@@ -285,7 +325,7 @@ fn a_full_population_ends_the_line_of_days() {
         });
     let (mut page, _) = Page::open("#leaf?v=1&s=1&d=6", &CROWDED);
     page.hear(Event::Mesh { name: "leaf", text: Ok(String::new()) });
-    let mut worker = Worker::new(&CROWDED);
+    let mut worker = Worker::new(&CROWDED, 1);
     let mut told = Vec::new();
     for effect in page.hear(Event::FromWorker(Worker::hello())) {
         let Effect::Post(wish) = effect else { continue };
@@ -341,19 +381,7 @@ fn each_mesh_is_loaded_once() {
         all.finish();
         assert_eq!(all.page.drawn().unwrap().plant, plant);
     }
-    assert_eq!(all.loads, ["leaf", "fruit"]);
-}
-
-#[test]
-fn a_mesh_that_cannot_be_loaded_is_told_and_asked_for_again() {
-    let (mut page, effects) = Page::open("#leaf?v=1&s=1&d=1", PLANTS);
-    assert!(effects.contains(&Effect::LoadMesh("leaf")));
-    let effects = page.hear(Event::Mesh { name: "leaf", text: Err("404".to_string()) });
-    assert_eq!(page.state(), State::Error);
-    assert!(
-        matches!(&effects[0], Effect::Tell(t) if t[0].contains("leaf") && t[0].contains("404"))
-    );
-    assert_eq!(page.hear(Event::FromWorker(Worker::hello())), [Effect::LoadMesh("leaf")]);
+    assert_eq!((all.loads, all.files), (vec!["leaf", "fruit"], 2));
 }
 
 #[test]

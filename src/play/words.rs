@@ -68,7 +68,24 @@ pub fn numbers(recipe: &Recipe) -> String {
 /// Why there is no plant to see.
 pub fn no_mesh(plant: &Plant, why: &str) -> String {
     let name = plant.name.to_ascii_lowercase();
-    format!("The shape of the {name} could not be loaded ({why}). Please load the page again.")
+    format!("The shape of the {name} could not be loaded ({why}). Choose a day to try again.")
+}
+
+const TOO_LARGE: &str = "seems to need more memory than this browser gives";
+
+/// Why something does not grow. That memory ran out is the likeliest reason for which a worker ends.
+pub fn too_large() -> String {
+    format!("This {TOO_LARGE}. Fewer first cells need less.")
+}
+
+/// Why something else is shown than was wished.
+pub fn too_large_so_back() -> String {
+    format!("That {TOO_LARGE}: here is what was there before.")
+}
+
+/// Why no further day comes.
+pub fn too_large_after(day: u32) -> String {
+    format!("Growth ended on day {day}: one day more {TOO_LARGE}.")
 }
 
 /// Why a growth ended early.

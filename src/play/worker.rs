@@ -10,14 +10,12 @@ use crate::surface::Mesh;
 use crate::tissue::{Diary, Growth, Noise, Progress};
 use std::sync::Arc;
 
-/// Grounds that are kept. One holds up to 130 MB of charts.
-const MOST_GROUNDS: usize = 2;
-
 /// Grows one plant at a time.
 pub struct Worker {
     plants: &'static [Plant],
     /// The texts of the mesh files that came, by name.
     meshes: Vec<(String, String)>,
+    most_grounds: usize,
     /// Grounds of the plants grown last, the newest at the end: to make one takes longer than the
     /// first days of its plant.
     grounds: Vec<Ground>,
@@ -40,8 +38,9 @@ struct Run {
 }
 
 impl Worker {
-    pub fn new(plants: &'static [Plant]) -> Worker {
-        Worker { plants, meshes: Vec::new(), grounds: Vec::new(), run: None }
+    /// `most_grounds`: plants whose ground is kept, at least 1. One holds up to 130 MB of charts.
+    pub fn new(plants: &'static [Plant], most_grounds: usize) -> Worker {
+        Worker { plants, meshes: Vec::new(), most_grounds, grounds: Vec::new(), run: None }
     }
 
     /// What a worker says first.
@@ -123,14 +122,14 @@ impl Worker {
             self.grounds.push(known);
             return Ok(self.grounds.len() - 1);
         }
+        // First, so that the new one finds their room.
+        let others = self.grounds.len().min(self.most_grounds - 1);
+        self.grounds.drain(..self.grounds.len() - others);
         let mesh = self.meshes.iter().find(|(name, _)| name == plant.mesh.name);
         let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.mesh.name))?;
         let body = (plant.body)(text).map_err(|why| format!("{}: {why}", plant.mesh.name))?;
         let surface = Arc::new(body.surface);
         let finder = SiteFinder::new(&surface).coloured(plant.controls());
-        if self.grounds.len() == MOST_GROUNDS {
-            self.grounds.remove(0);
-        }
         self.grounds.push(Ground { plant: plant.key, surface, finder });
         Ok(self.grounds.len() - 1)
     }
@@ -145,5 +144,47 @@ impl Ground {
             facts: DayFacts { count: diary.count(index), fingerprint: diary.fingerprint(index) },
             lists: self.finder.find(&self.surface, diary, index),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::PLANTS;
+    use super::*;
+
+    fn mesh(name: &str) -> ToWorker {
+        ToWorker::Mesh { name: name.to_string(), text: String::new() }
+    }
+
+    fn grow(plant: &str) -> ToWorker {
+        ToWorker::Grow { generation: 1, link: format!("{plant}?v=1&s=1&d=1") }
+    }
+
+    #[test]
+    fn grounds_are_kept_up_to_their_number() {
+        for most in [1, 2] {
+            let mut worker = Worker::new(PLANTS, most);
+            worker.hear(mesh("leaf"));
+            worker.hear(mesh("fruit"));
+            for plant in ["leaf", "leaf", "fruit", "leaf"] {
+                assert_eq!(worker.hear(grow(plant)), None);
+                worker.work(|| false, |_| {});
+                let kept: Vec<_> = worker.grounds.iter().map(|ground| ground.plant).collect();
+                assert_eq!(kept.last(), Some(&plant));
+                assert!(kept.iter().all(|one| kept.iter().filter(|two| one == *two).count() == 1));
+            }
+            assert_eq!(worker.grounds.len(), most);
+        }
+    }
+
+    #[test]
+    fn a_plant_whose_mesh_has_not_come_is_refused() {
+        let mut worker = Worker::new(PLANTS, 1);
+        worker.hear(mesh("fruit"));
+        let text = "leaf has not come".to_string();
+        assert_eq!(worker.hear(grow("leaf")), Some(ToPage::Failed { generation: 1, text }));
+        assert_eq!(worker.hear(grow("fruit")), None);
+        worker.hear(ToWorker::Stop);
+        assert!(!worker.is_busy());
     }
 }

@@ -123,6 +123,17 @@ fn a_row_grows_and_opens_with_webgl2() {
 }
 
 #[test]
+fn the_plant_behind_the_figures_is_loaded_when_it_is_opened() {
+    let Some(page) = Page::open(Graphics::WebGpu, &format!("#figures/{NUMBER}")) else { return };
+    page.ready();
+    let is_croton = |file: &String| file.ends_with("croton.obj");
+    assert!(!page.server.requested().iter().any(is_croton), "nobody has asked for it");
+    page.run("document.getElementById('from-figures').click()");
+    assert_eq!(page.wait("the croton", |s| s.state == "ready" && s.day != "").plant, "croton");
+    assert_eq!(page.run("return document.getElementById('stage').hasAttribute('data-live')"), true);
+}
+
+#[test]
 fn the_days_of_a_row_are_pulled_together() {
     let Some(page) = Page::open(Graphics::WebGpu, &format!("#figures/{NUMBER}")) else { return };
     wait_for_row(&page, &expected());

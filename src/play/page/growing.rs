@@ -1,0 +1,155 @@
+//! What the page has grown, and by whom: its worker and the mesh files, and what becomes of the
+//! picture when one of them is lost.
+
+use super::super::protocol::{BUILD, ToPage, ToWorker};
+use super::super::{End, Run, Scene, link, words};
+use super::{Effect, Page, bare};
+
+/// The page has one worker; this is its number for `Meshes`.
+const WORKER: usize = 0;
+
+impl Page {
+    /// Begins a growth.
+    pub(super) fn grow(&mut self, scene: Scene, effects: &mut Vec<Effect>) {
+        self.playhead.restart(scene.day);
+        self.run = Run::new(self.run.generation + 1, scene);
+        self.hand.forgive();
+        self.wish(effects);
+    }
+
+    /// Asks for what grows, as soon as there are a mesh and a worker for it.
+    pub(super) fn wish(&mut self, effects: &mut Vec<Effect>) {
+        if self.is_away {
+            return;
+        }
+        effects.extend(self.hand.start());
+        let Run { generation, scene, .. } = &self.run;
+        let worker = self.hand.listens().then_some(WORKER);
+        let has_mesh = self.meshes.provide(scene.plant.mesh.name, worker, effects);
+        if has_mesh && self.hand.listens() {
+            let (generation, link) = (*generation, link::write(scene));
+            self.run.end = None;
+            self.hand.grows = Some(generation);
+            effects.push(Effect::Post(ToWorker::Grow { generation, link }));
+        }
+    }
+
+    /// Wishes once more what could not be.
+    pub(super) fn try_again(&mut self, effects: &mut Vec<Effect>) {
+        if self.run.end == Some(End::Failed) {
+            self.adopt(self.wished_scene(), effects);
+        }
+    }
+
+    /// Makes room for the figures: days and worker are given up until the plant is opened again.
+    pub(super) fn leave(&mut self, effects: &mut Vec<Effect>) {
+        self.is_away = true;
+        self.run = Run::new(self.run.generation + 1, self.wished_scene());
+        self.shown = bare(&self.scene);
+        self.drawn = None;
+        self.end_worker(effects);
+    }
+
+    pub(super) fn listen(&mut self, answer: ToPage, effects: &mut Vec<Effect>) {
+        let current = self.run.generation;
+        match answer {
+            ToPage::Hello { build } if build != BUILD => effects.push(Effect::Reload),
+            ToPage::Hello { .. } => {
+                self.hand.greet();
+                self.wish(effects);
+            }
+            ToPage::Day(news) => {
+                self.run.add(news);
+                // With less motion each day is seen at once.
+                if self.less_motion {
+                    self.playhead.advance(0.0, self.run.newest(), self.run.last_day());
+                }
+            }
+            ToPage::Full { generation } if generation == current => {
+                self.end(End::Full);
+                effects.push(Effect::Tell(vec![words::full(&self.run)]));
+            }
+            ToPage::Done { generation } if generation == current => self.end(End::Done),
+            ToPage::Failed { generation, text } if generation == current => {
+                self.fail(format!("This cannot be grown: {text}."), effects);
+            }
+            // Of a growth that is wished no more.
+            ToPage::Full { .. } | ToPage::Done { .. } | ToPage::Failed { .. } => {}
+        }
+    }
+
+    pub(super) fn take_mesh(
+        &mut self,
+        name: &str,
+        text: Result<String, String>,
+        effects: &mut Vec<Effect>,
+    ) {
+        let news = self.meshes.take(name, text);
+        let plant = self.run.scene.plant;
+        if plant.mesh.name != name || self.is_away {
+            return;
+        }
+        match news {
+            Some(Ok(())) => self.wish(effects),
+            Some(Err(why)) => self.fail(words::no_mesh(plant, &why), effects),
+            None => {}
+        }
+    }
+
+    /// The worker is gone. If it was growing what is wished, that is taken to have been too much for it: days
+    /// that have come are kept where they are what was wished, else the scene that worked last comes
+    /// back, or the preset of the plant. So the same link does not kill the next worker, too.
+    pub(super) fn lose(&mut self, why: String, effects: &mut Vec<Effect>) {
+        let (may_start, grew) = self.hand.lose();
+        self.end_worker(effects);
+        if self.run.end.is_some() {
+            // The next wish starts another one.
+            return;
+        }
+        if grew != Some(self.run.generation) {
+            return if may_start { self.wish(effects) } else { self.fail(why, effects) };
+        }
+        let preset = || Scene::preset(self.scene.plant, self.scene.individual);
+        let before = self.worked.take().unwrap_or_else(preset);
+        let newest = self.run.newest();
+        let is_held = newest >= Some(self.playhead.wished_day());
+        if !is_held && !before.grows_like(&self.run.scene) {
+            self.adopt(before, effects);
+            effects.push(Effect::Tell(vec![words::too_large_so_back()]));
+        } else if let Some(newest) = newest {
+            self.end_after(newest);
+            effects.push(Effect::Tell(vec![words::too_large_after(newest)]));
+        } else {
+            self.fail(words::too_large(), effects);
+        }
+    }
+
+    fn end_worker(&mut self, effects: &mut Vec<Effect>) {
+        self.hand.end();
+        self.meshes.forget(WORKER);
+        effects.push(Effect::EndWorker);
+    }
+
+    /// No day after this one is wished any more, neither now nor when the link is opened again.
+    fn end_after(&mut self, newest: u32) {
+        for scene in [&mut self.scene, &mut self.run.scene] {
+            // A recipe has a day at least.
+            scene.recipe.days = newest.max(1);
+        }
+        self.end(End::Done);
+    }
+
+    /// The growth is over. If that was early, no later day may be waited for.
+    fn end(&mut self, end: End) {
+        self.run.end = Some(end);
+        if self.playhead.wished_day() > self.run.last_day() {
+            self.playhead.seek(self.run.last_day(), self.run.newest());
+        }
+    }
+
+    /// What is wished cannot be: the text says why.
+    fn fail(&mut self, text: String, effects: &mut Vec<Effect>) {
+        effects.push(Effect::Tell(vec![text]));
+        self.run.end = Some(End::Failed);
+    }
+}
