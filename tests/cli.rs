@@ -230,6 +230,36 @@ fn the_cap_is_told_and_what_has_grown_is_kept() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn cells_for_which_there_is_no_memory_are_refused_before_they_grow() {
+    for (name, numbers, words) in [
+        (
+            "huge.json",
+            r#"{"initial_cells":2000000,"max_cells":100000000,"days":1000,"division_days":{"F":20,"B":20,"M":20}}"#,
+            "GB of memory",
+        ),
+        ("uncapped.json", r#"{"max_cells":4000000000}"#, "at most 100,000,000"),
+    ] {
+        let output = mosaic(&["grow", "--recipe", &file(name, numbers)]);
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), told.lines().count()), (Some(2), 1), "{told}");
+        assert!(told.contains(words) && output.stdout.is_empty(), "{told}");
+    }
+}
+
+#[test]
+fn any_number_of_threads_prints_the_same() {
+    let grown = |threads| {
+        let output =
+            mosaic(&["grow", "--preset", "mushroom", "--day", "6", "--threads", threads, "--json"]);
+        let mut run: Value = serde_json::from_slice(&output.stdout).unwrap();
+        run["seconds"] = Value::Null;
+        run
+    };
+    assert_eq!(grown("1"), grown("2"));
+}
+
+#[test]
 fn help_and_version_are_there() {
     let grow =
         ["--link", "--preset", "--recipe", "--mesh", "--individual", "--day", "--cells", "--json"];

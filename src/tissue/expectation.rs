@@ -38,6 +38,29 @@ pub fn expected_cells(
     Some(all)
 }
 
+/// Bytes of a cell in the diary of each day, and of one that grows.
+const BYTES_A_DAY: f64 = 12.0;
+const BYTES_A_CELL: f64 = 200.0;
+
+/// The memory that a growth needs at least for its cells, in bytes: as many as there are in the mean if all
+/// divided as seldom as those that divide most seldom, up to `max_cells`, on all days. The body and what
+/// is drawn of it come on top.
+pub fn least_memory_bytes(recipe: &Recipe) -> f64 {
+    let slowest_days = recipe.division_days.into_iter().fold(0.0, f64::max);
+    let clans = match recipe.clock {
+        Clock::Poisson => clans(slowest_days, recipe.days as usize),
+        Clock::Exponential => Vec::new(),
+    };
+    let clan = |day: u32| match clans.get(day.saturating_sub(1) as usize) {
+        _ if day == 0 => 1.0,
+        Some(clan) => clan.mean,
+        None => libm::exp(f64::from(day - 1) / slowest_days),
+    };
+    let cells = |day| (f64::from(recipe.initial_cells) * clan(day)).min(recipe.max_cells.into());
+    let all_days: f64 = (0..=recipe.days).map(cells).sum();
+    BYTES_A_DAY * all_days + BYTES_A_CELL * cells(recipe.days)
+}
+
 /// The clan of a cell of age 0, its descendants and itself, when the divisions up to each day `0..=days` are done, for Poisson
 /// clocks of mean `division_days`, over ln 2, and no mutation. A run of `d` days ends with the clans
 /// of day `d - 1`, one for each first cell and independent of each other.

@@ -208,6 +208,13 @@ impl Recipe {
                 return fail(format!("{name} is {value}: it must be at most {most}"));
             }
         }
+        // Numbers of cells have thirty bits where they are drawn.
+        if self.max_cells > 100_000_000 {
+            return fail(format!(
+                "max_cells is {}: it must be at most 100,000,000",
+                self.max_cells
+            ));
+        }
         if self.max_cells < self.initial_cells {
             return fail(format!(
                 "max_cells is {}: it must be at least initial_cells, {}",

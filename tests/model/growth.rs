@@ -215,3 +215,20 @@ fn children_appear_in_a_small_disc_around_their_parent() {
     let error = (1.0f64 / 12.0 / births).sqrt();
     assert!((squares / births - 0.5).abs() < 4.417 * error + 2e-3, "{}", squares / births);
 }
+
+#[test]
+fn any_number_of_threads_grows_the_same_cells() {
+    let mesh = Arc::new(icosphere(4, 5.0));
+    let recipe =
+        Recipe { initial_cells: 9_000, division_days: [3.0; 3], days: 4, ..Recipe::default() };
+    let grow = |threads| {
+        let growth = Growth::new(mesh.clone(), recipe.clone(), &[], 1).unwrap();
+        let mut growth = growth.on_threads(threads);
+        while growth.step() != Progress::Done {}
+        (0..=4).map(|day| growth.diary.fingerprint(day)).collect::<Vec<_>>()
+    };
+    let alone = grow(1);
+    for threads in [2, 3, 7] {
+        assert_eq!(grow(threads), alone, "{threads} threads");
+    }
+}

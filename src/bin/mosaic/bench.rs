@@ -1,12 +1,12 @@
 //! `mosaic bench`: how fast the engine is on this machine, in one thread, and how fast the original program
 //! was beside ours on another.
 
-use super::Refusal;
 use super::output::say;
 use super::states::{settled, still};
+use super::{Refusal, cores};
 use clonal_mosaic::plants::original::{MACHINE, RUNS, Run, sphere, times_as_fast};
 use clonal_mosaic::surface::Mesh;
-use clonal_mosaic::tissue::{Growth, Progress};
+use clonal_mosaic::tissue::{Growth, Progress, Recipe};
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -56,6 +56,18 @@ pub fn bench(runs: u32) -> Result<(), Refusal> {
             say(&format!("radius_scale {radius_scale}, {cells:>9} cells {ns:>7.0} ns\n"))?;
         }
     }
+    say(&format!("\nFive days of 100,000 first cells on one thread and on {}:\n", cores()))?;
+    for radius_scale in RADIUS_SCALES {
+        let recipe = Recipe { initial_cells: 100_000, radius_scale, days: 5, ..Recipe::default() };
+        let [alone, together] = [1, cores()].map(|threads| {
+            let time = (0..runs).map(|_| whole(&mesh, &recipe, threads).0).min();
+            time.expect("at least one").as_secs_f64()
+        });
+        say(&format!(
+            "radius_scale {radius_scale} {alone:>11.3} s {together:>7.3} s, {:.2} times as fast\n",
+            alone / together
+        ))?;
+    }
     Ok(())
 }
 
@@ -76,9 +88,14 @@ fn beside_the_original() -> String {
 
 /// Grows all days of a run of the original; how long it takes, and how many cells there are then.
 fn grow(mesh: &Arc<Mesh>, run: &Run) -> (Duration, usize) {
+    whole(mesh, &run.recipe, 1)
+}
+
+/// The same of any recipe, on so many threads.
+fn whole(mesh: &Arc<Mesh>, recipe: &Recipe, threads: usize) -> (Duration, usize) {
     let started = Instant::now();
-    let mut growth =
-        Growth::new(mesh.clone(), run.recipe.clone(), &[], 1).expect("the original's recipes");
+    let growth = Growth::new(mesh.clone(), recipe.clone(), &[], 1).expect("a sound recipe");
+    let mut growth = growth.on_threads(threads);
     while growth.step() != Progress::Done {}
     (started.elapsed(), growth.diary.lineage.len())
 }
@@ -122,6 +139,5 @@ fn machine() -> String {
         .lines()
         .find_map(|line| line.strip_prefix("model name")?.split_once(": "))
         .map_or("a processor without a name", |(_, name)| name);
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    format!("{name}, {cores} cores, {} {}", std::env::consts::OS, std::env::consts::ARCH)
+    format!("{name}, {} cores, {} {}", cores(), std::env::consts::OS, std::env::consts::ARCH)
 }

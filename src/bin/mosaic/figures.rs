@@ -1,17 +1,16 @@
 //! `mosaic figures`: the pictures of the thesis in numbers.
 
-use super::Refusal;
 use super::options::{FigureOptions, Format};
 use super::output::{cannot, say};
 use super::progress::Progress;
 use super::sweep::{self, HEADING, Row};
 use super::table::Table;
+use super::{Refusal, cores};
 use clonal_mosaic::play::figures::{FIGURES, Figure, find};
 use clonal_mosaic::surface::quoted;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread::available_parallelism;
 
 pub fn figures(options: &FigureOptions) -> Result<(), Refusal> {
     let format = options.print.format();
@@ -47,7 +46,6 @@ fn chosen(numbers: &[String]) -> Result<Vec<&'static Figure>, Refusal> {
 
 /// Grows one of so many parts of the work and tells how far it is.
 fn grow(figures: &[&'static Figure], options: &FigureOptions, shard: (u32, u32)) -> Vec<Row> {
-    let cores = || available_parallelism().map_or(1, usize::from);
     let threads = options.threads.map_or_else(cores, |n| n as usize);
     let (done, progress) = (AtomicUsize::new(0), Progress::new());
     let tell = |row: &Row| {

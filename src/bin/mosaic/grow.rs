@@ -4,7 +4,7 @@ use super::options::GrowOptions;
 use super::output::{Target, say, try_say, warn};
 use super::report::{DayLine, Report};
 use super::subject::{self, Subject};
-use super::{Refusal, progress};
+use super::{Refusal, cores, memory, progress};
 use clonal_mosaic::export::write_cells;
 use clonal_mosaic::tissue::{Diary, Growth, Progress};
 use glam::DVec3;
@@ -12,6 +12,7 @@ use std::time::{Duration, Instant};
 
 pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
     let subject = subject::load(options)?;
+    memory::check(&subject.recipe)?;
     // Tried first: nobody should wait for a plant that cannot be written down.
     let table = options.cells.as_deref().map(Target::new).transpose()?;
     // Where nobody reads on, there is still the table to write.
@@ -28,7 +29,8 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
     }
     let started = Instant::now();
     let max_cells = subject.recipe.max_cells;
-    let mut growth = subject.sow()?;
+    let threads = options.threads.map_or_else(cores, |threads| threads as usize);
+    let mut growth = subject.sow()?.on_threads(threads);
     let mut growing = started.elapsed();
     loop {
         let (progress, time) = next_day(&mut growth);

@@ -20,6 +20,11 @@ use std::process::ExitCode;
 /// What is said, on one line, about input that cannot be used.
 type Refusal = String;
 
+/// How many threads there is a core for.
+fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
 /// The exit status of all refusals.
 const REFUSED: u8 = 2;
 

@@ -1,9 +1,34 @@
-//! Memory that runs out ends the program as wrong input does: with one line and status 2.
+//! Memory: what surely needs more than there is does not begin, and if it runs out all the same the program
+//! ends as on wrong input, with one line and status 2.
 
-use super::REFUSED;
+use super::{REFUSED, Refusal};
+use clonal_mosaic::tissue::{Recipe, least_memory_bytes};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::{self, Write};
 use std::process;
+
+/// Refuses a recipe whose cells alone need more memory than the system has to give, where it says how much
+/// that is (Linux).
+pub fn check(recipe: &Recipe) -> Result<(), Refusal> {
+    let told = std::fs::read_to_string("/proc/meminfo").unwrap_or_default();
+    let kilobytes = |line: &str| {
+        line.strip_prefix("MemAvailable:")?.trim().strip_suffix(" kB")?.parse::<f64>().ok()
+    };
+    let free_bytes: f64 = match told.lines().find_map(kilobytes) {
+        Some(kilobytes) => 1024.0 * kilobytes,
+        None => return Ok(()),
+    };
+    let bytes = least_memory_bytes(recipe);
+    if bytes <= free_bytes {
+        return Ok(());
+    }
+    Err(format!(
+        "this recipe's cells need at least {:.0} GB of memory, and {:.0} GB are free: fewer days, fewer \
+         initial_cells, or a lower max_cells make it smaller",
+        bytes / 1e9,
+        free_bytes / 1e9
+    ))
+}
 
 #[global_allocator]
 static MEMORY: OrRefused = OrRefused;

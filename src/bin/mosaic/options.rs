@@ -57,6 +57,9 @@ pub struct GrowOptions {
     /// id,parent,founder,type,part,triangle,x,y,z,born_day
     #[arg(long, value_name = "OUT.csv", verbatim_doc_comment)]
     pub cells: Option<PathBuf>,
+    /// So many threads share the work; without it one for each core. The cells are the same
+    #[arg(long, value_name = "N", value_parser = from_one_to::<256>, allow_negative_numbers = true)]
+    pub threads: Option<u32>,
     /// Prints one JSON object with all days, not a line for each
     #[arg(long)]
     pub json: bool,
