@@ -119,10 +119,8 @@ impl Growth {
         if day > self.recipe.days as usize {
             return Progress::Done;
         }
-        if day > 0 && self.events == 0 {
-            if !self.divide(day) {
-                return Progress::Full;
-            }
+        if day > 0 && self.events == 0 && !self.divide(day) {
+            return Progress::Full;
         }
         let events = match day {
             0 => self.recipe.initial_relaxations,

@@ -7,6 +7,7 @@ use super::relax::{Row, four};
 use crate::surface::Laid;
 use glam::Vec2;
 use std::ops::Range;
+use std::slice::from_ref;
 use wide::{f32x4, u32x4};
 
 /// Boxes are twice as high as a cell looks around, so that it sees two rows of them, and this many to
@@ -185,7 +186,8 @@ impl Near {
         let Points { x, y, kind } = &self.unsorted;
         let (x, y, kind) = (&x[..], &y[..], &kind[..]);
         let (to_x, to_y, to_kind) = (&mut self.x[..], &mut self.y[..], &mut self.kind[..]);
-        self.sorting.sort(&self.box_of, &[0..self.len], self.boxes, move |k, to| {
+        let all = 0..self.len;
+        self.sorting.sort(&self.box_of, from_ref(&all), self.boxes, move |k, to| {
             // SAFETY: all columns are of the same length, at least `len`, as `reserve` made them.
             unsafe {
                 copy(x, k, to_x, to);

@@ -8,6 +8,7 @@ use super::plan::{Plan, look_cm};
 use crate::surface::{Mesh, Place};
 use bytemuck::{Pod, Zeroable};
 use std::ops::Range;
+use std::slice::from_ref;
 use wide::f32x4;
 
 /// The cells of one day in the order of their bins, so that cells that lie together in space lie
@@ -89,7 +90,7 @@ impl Crowd {
             self.moved[number] = Row { b1, b2, kind: f32::from(kind), cell: number as u32 };
             self.bins[number] = self.plan.bin(place);
         }
-        self.sort(&[0..self.cells]);
+        self.sort(from_ref(&(0..self.cells)));
     }
 
     /// The places of all cells by their numbers.
