@@ -129,7 +129,10 @@ fn the_plant_behind_the_figures_is_loaded_when_it_is_opened() {
     let is_croton = |file: &String| file.ends_with("croton.obj");
     assert!(!page.server.requested().iter().any(is_croton), "nobody has asked for it");
     page.run("document.getElementById('from-figures').click()");
-    assert_eq!(page.wait("the croton", |s| s.state == "ready" && !s.day.is_empty()).plant, "croton");
+    assert_eq!(
+        page.wait("the croton", |s| s.state == "ready" && !s.day.is_empty()).plant,
+        "croton"
+    );
     assert_eq!(page.run("return document.getElementById('stage').hasAttribute('data-live')"), true);
 }
 
