@@ -21,8 +21,8 @@ pub struct Picked {
     /// Of the middles of those ways from one point.
     distances: Vec<f32x4>,
     keep: Vec<u32>,
-    /// Of a grid, with the cell and its number among `sites`.
-    squares: Vec<([i32; 4], u32, usize)>,
+    /// Of a grid, each with the number of a site in its low bits.
+    squares: Vec<u64>,
 }
 
 /// How four sites go from the day before to now: the middle of each way, and half its length.
@@ -50,6 +50,9 @@ const SAME_SPACINGS: f32 = 0.03;
 /// More sites than these the shader cannot tell apart: in a list of more, those are one that lie farther
 /// from each other, too.
 const MOST_SITES: usize = 1023;
+
+/// Of a site's number when clumps are merged; more sites than that stay as they are.
+const NUMBER_BITS: u32 = 16;
 
 impl Picked {
     /// The sites whose polygons may reach into the triangle.
@@ -98,23 +101,33 @@ impl Picked {
         }
     }
 
-    /// Keeps the youngest of the sites in each square of a grid.
+    /// Keeps the youngest of the sites in each square of a grid, now and the day before. Coordinates have twelve
+    /// bits, as in the lists.
     fn merge(&mut self, step_cm: f32) {
+        let step = |x: f32| (x / step_cm) as i32 as u64 & 0xfff;
         let square = |site: &NearSite| {
-            [site.now.x, site.now.y, site.before.x, site.before.y].map(|x| (x / step_cm) as i32)
+            step(site.now.x)
+                | step(site.now.y) << 12
+                | step(site.before.x) << 24
+                | step(site.before.y) << 36
         };
         self.squares.clear();
-        for (k, site) in self.sites.iter().enumerate() {
+        for (k, site) in self.sites.iter().enumerate().take(1 << NUMBER_BITS) {
             if self.keep[k / LANES] & 1 << (k % LANES) != 0 {
-                self.squares.push((square(site), site.cell, k));
+                self.squares.push(square(site) << NUMBER_BITS | k as u64);
             }
         }
         self.squares.sort_unstable();
-        for pair in self.squares.windows(2) {
-            let [(square, _, k), (next, ..)] = pair else { unreachable!("windows of two") };
-            if square == next {
-                self.keep[k / LANES] &= !(1 << (k % LANES));
+        let mut last = (u64::MAX, 0);
+        for &key in &self.squares {
+            let (square, k) = (key >> NUMBER_BITS, key as usize & ((1 << NUMBER_BITS) - 1));
+            if square != last.0 {
+                last = (square, k);
+                continue;
             }
+            let older = if self.sites[k].cell < self.sites[last.1].cell { k } else { last.1 };
+            last.1 = k + last.1 - older;
+            self.keep[older / LANES] &= !(1 << (older % LANES));
         }
     }
 

@@ -23,8 +23,10 @@ pub(super) fn read<N: FromStr>(text: &str) -> Result<(Vec<[N; 3]>, PolygonMesh),
         statement.push_str(line);
         // Names and comments may end in a backslash, and names may hold a `#`.
         if takes_numbers(&statement) {
-            let comment = statement[start..].find('#').map_or(statement.len(), |at| start + at);
-            statement.truncate(comment);
+            // Some programs write `1.#QNAN` for numbers that are none.
+            let comment = (start..statement.len())
+                .find(|&at| statement.as_bytes()[at] == b'#' && !statement[..at].ends_with("1."));
+            statement.truncate(comment.unwrap_or(statement.len()));
             if let Some(continued) = statement.trim_end().strip_suffix('\\') {
                 statement.truncate(continued.len());
                 statement.push(' ');
@@ -174,7 +176,7 @@ fn name(statement: &str) -> String {
 /// Whatever programs write for numbers that are none (`-nan(ind)`) is NaN.
 fn number<N: FromStr>(word: Option<&str>) -> Result<N, String> {
     let word = word.ok_or("a number is missing")?;
-    let not_one = word.trim_start_matches(['-', '+']).starts_with("nan");
+    let not_one = word.trim_start_matches(['-', '+']).starts_with("nan") || word.contains(".#");
     let number = if not_one { "nan" } else { word }.parse();
     number.map_err(|_| {
         let comma = if word.contains(',') { ": decimals need a point" } else { "" };
@@ -261,7 +263,16 @@ mod tests {
     #[test]
     fn texture_coordinates_that_are_none_or_not_there_are_passed_over() {
         let plain = parse(&format!("{CORNERS}f 1 2 3 4"));
-        for uvs in ["vt nan nan", "vt 1e99 0", "vt x y", "vt", "vt -nan(ind) 0", "#", "vt 0 z"] {
+        for uvs in [
+            "vt nan nan",
+            "vt 1e99 0",
+            "vt x y",
+            "vt",
+            "vt -nan(ind) 0",
+            "vt 1.#QNAN -1.#IND",
+            "#",
+            "vt 0 z",
+        ] {
             let mesh = parse(&format!("{CORNERS}{uvs}\nf 1/1/1 2/2/2 3/-9/3 4/x/4"));
             assert_eq!(mesh, plain, "{uvs}");
         }

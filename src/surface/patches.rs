@@ -37,9 +37,7 @@ pub fn cut_into_patches(
     take: impl FnMut(Patch) -> bool,
 ) -> bool {
     let count = mesh.triangles.len();
-    let mut order: Vec<u32> = (0..count as u32).collect();
-    // Of one part none is looked for in another: bodies of very many parts are cut as quickly.
-    order.sort_by_key(|&t| mesh.parts[t as usize]);
+    let (order, ends) = by_parts(mesh);
     let mut cutter = Cutter {
         mesh,
         area,
@@ -52,16 +50,35 @@ pub fn cut_into_patches(
         order,
         take,
     };
-    let mut end = 0;
-    while end < count {
-        let start = end;
-        let part = mesh.parts[cutter.order[start] as usize];
-        end += cutter.order[start..].partition_point(|&t| mesh.parts[t as usize] == part);
+    let mut start = 0;
+    for end in ends {
         if cutter.cut(start..end).is_none() {
             return false;
         }
+        start = end;
     }
     true
+}
+
+/// All triangles part by part, and where each part ends: none is looked for in another part, so that bodies
+/// of very many parts are cut as quickly.
+fn by_parts(mesh: &Mesh) -> (Vec<u32>, Vec<usize>) {
+    let mut ends = vec![0; mesh.part_count()];
+    for &part in &mesh.parts {
+        ends[part as usize] += 1;
+    }
+    let mut sum = 0;
+    for end in &mut ends {
+        // First it is where the part starts, and moves on with each of its triangles.
+        (*end, sum) = (sum, sum + *end);
+    }
+    let mut order = vec![0; mesh.triangles.len()];
+    for (triangle, &part) in mesh.parts.iter().enumerate() {
+        let end = &mut ends[part as usize];
+        order[*end] = triangle as u32;
+        *end += 1;
+    }
+    (order, ends)
 }
 
 fn square(length: f32) -> f32 {
