@@ -220,7 +220,7 @@ fn with(f: impl FnOnce(&mut App)) {
 
 impl App {
     fn start_worker(&mut self) {
-        let started = Mail::start("plant", |said| match said {
+        let started = Mail::start(|said| match said {
             Ok(answer) => send(Event::FromWorker(answer)),
             Err(why) => send(Event::WorkerLost(why)),
         });
@@ -276,7 +276,11 @@ impl App {
                 Effect::EndWorker => self.mail = None,
                 Effect::Reload => {
                     if !mail::reload_once() {
-                        self.hear(Event::WorkerLost(mail::STRANGER.to_string()));
+                        self.hear(Event::WorkerLost(
+                            "Parts of this page are of different versions. Please empty the \
+                             browser's cache for it and load it again."
+                                .to_string(),
+                        ));
                     }
                 }
                 Effect::LoadMesh(name) => spawn_local(load_mesh(name)),

@@ -7,9 +7,8 @@ use super::dom::{
     Listener, copy_of_template, document, find, mark_when_missing, on, set_attribute, set_flag,
     set_text, window, within,
 };
-use super::mail::{self, Mail};
+use super::mail::Mail;
 use super::stage::Stage;
-use super::worker::OF_FIGURES;
 use crate::draw::DrawError;
 use crate::plants;
 use crate::play::figures::{FIGURES, Figure};
@@ -88,40 +87,23 @@ impl Gallery {
     pub fn hear(&mut self, event: Event) -> Vec<Effect> {
         let mut others = Vec::new();
         for (number, effect) in self.brain.hear(event) {
-            let lost = match effect {
-                Effect::StartWorker => self.start_worker(number).err(),
-                Effect::Reload => (!mail::reload_once()).then(|| mail::STRANGER.to_string()),
-                Effect::EndWorker => {
-                    self.workers[number] = None;
-                    None
+            let worker = &mut self.workers[number];
+            match effect {
+                Effect::StartWorker => {
+                    if let Err(why) = start_worker(number).map(|mail| *worker = Some(mail)) {
+                        others.extend(self.hear(Event::WorkerLost(number, why)));
+                    }
                 }
+                Effect::EndWorker => *worker = None,
                 Effect::Post(wish) => {
-                    if let Some(worker) = &self.workers[number] {
+                    if let Some(worker) = worker {
                         worker.post(&wish);
                     }
-                    None
                 }
-                other => {
-                    others.push(other);
-                    None
-                }
-            };
-            if let Some(why) = lost {
-                others.extend(self.hear(Event::WorkerLost(number, why)));
+                other => others.push(other),
             }
         }
         others
-    }
-
-    fn start_worker(&mut self, number: usize) -> Result<(), String> {
-        let mail = Mail::start(OF_FIGURES, move |said| {
-            app::send_to_figures(match said {
-                Ok(answer) => Event::FromWorker(number, answer),
-                Err(why) => Event::WorkerLost(number, why),
-            });
-        })?;
-        self.workers[number] = Some(mail);
-        Ok(())
     }
 
     /// Whether a figure is the one that grows.
@@ -272,6 +254,15 @@ impl RowView {
         self.tell_day(row.day);
         set_text(&self.trouble, row.trouble.as_deref().unwrap_or_default());
     }
+}
+
+fn start_worker(number: usize) -> Result<Mail, String> {
+    Mail::start(move |said| {
+        app::send_to_figures(match said {
+            Ok(answer) => Event::FromWorker(number, answer),
+            Err(why) => Event::WorkerLost(number, why),
+        });
+    })
 }
 
 /// Shows the figures in the place of the playground, or the other way round.

@@ -12,10 +12,6 @@ use web_sys::{ErrorEvent, MessageEvent, Response, Worker, WorkerOptions, WorkerT
 /// Remembers, for this tab, that the page was loaded again because of a worker of another build.
 const RELOADED: &str = "mosaic-reloaded-for";
 
-/// What to say of a worker of another build, if loading the page again is of no use.
-pub const STRANGER: &str = "Parts of this page are of different versions. Please empty the browser's \
-                            cache for it and load it again.";
-
 /// A running worker; it ends when this is dropped.
 pub struct Mail {
     worker: Worker,
@@ -23,15 +19,11 @@ pub struct Mail {
 }
 
 impl Mail {
-    /// Starts a worker of a name: the bundle of this page once more, which the browser has at hand.
-    /// `hear` takes what it says, or why it has stopped.
-    pub fn start(
-        name: &str,
-        hear: impl Fn(Result<ToPage, String>) + Clone + 'static,
-    ) -> Result<Mail, String> {
+    /// Starts a worker: the bundle of this page once more, which the browser has at hand. `hear`
+    /// takes what it says, or why it has stopped.
+    pub fn start(hear: impl Fn(Result<ToPage, String>) + Clone + 'static) -> Result<Mail, String> {
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
-        options.set_name(name);
         let address = loader(if IS_WEBGL_BUNDLE { "page_gl" } else { "page" });
         let worker = Worker::new_with_options(&address, &options)
             .map_err(|_| "This browser starts no worker: the plant cannot grow.".to_string())?;

@@ -12,14 +12,8 @@ use web_sys::{DedicatedWorkerGlobalScope, MessageChannel, MessageEvent, MessageP
 /// lets a new wish wait.
 const SLICE_MS: f64 = 12.0;
 
-/// The name of a worker of the figures: there are several of these, and each row is of another plant.
-pub const OF_FIGURES: &str = "figures";
-
 thread_local! {
-    static WORKER: RefCell<Worker> = {
-        let most_grounds = if scope().name() == OF_FIGURES { 1 } else { 2 };
-        RefCell::new(Worker::new(plants::all(), most_grounds))
-    };
+    static WORKER: RefCell<Worker> = RefCell::new(Worker::new(plants::all()));
 }
 
 /// Starts to listen, and then says hello: what is sent before is lost.

@@ -187,7 +187,7 @@ impl Gallery {
         if let Some(generation) = grew {
             row.lost.push(generation);
             if row.lost.iter().filter(|lost| **lost == generation).count() == MOST_LOSSES {
-                row.fail(generation, words::too_large());
+                row.fail(generation, words::TOO_LARGE.to_string());
             }
         }
         if nobody_is_left {

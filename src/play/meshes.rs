@@ -12,8 +12,8 @@ pub struct Meshes {
 struct File {
     name: &'static str,
     text: Text,
-    /// The numbers of the workers that have it.
-    handed_to: Vec<usize>,
+    /// The workers that have it: a bit for each number.
+    handed_to: u32,
     /// Whether any worker ever had it.
     was_handed: bool,
 }
@@ -42,7 +42,7 @@ impl Meshes {
     }
 
     /// Whether a file is there. Has it loaded if it is not on its way, and hands it to the worker of
-    /// a number, given if that one listens, unless it has it.
+    /// a number under 32, given if that one listens, unless it has it.
     pub fn provide(
         &mut self,
         name: &'static str,
@@ -51,8 +51,7 @@ impl Meshes {
     ) -> bool {
         let known = self.files.iter().position(|file| file.name == name);
         let known = known.unwrap_or_else(|| {
-            let (text, handed_to) = (Text::Failed, Vec::new());
-            self.files.push(File { name, text, handed_to, was_handed: false });
+            self.files.push(File { name, text: Text::Failed, handed_to: 0, was_handed: false });
             self.files.len() - 1
         });
         let file = &mut self.files[known];
@@ -65,8 +64,8 @@ impl Meshes {
             }
             Text::Here(text) => text,
         };
-        if let Some(worker) = worker.filter(|worker| !file.handed_to.contains(worker)) {
-            file.handed_to.push(worker);
+        if let Some(worker) = worker.filter(|worker| file.handed_to & 1 << worker == 0) {
+            file.handed_to |= 1 << worker;
             file.was_handed = true;
             let (name, text) = (name.to_string(), text.clone());
             effects.push(Effect::Post(ToWorker::Mesh { name, text }));
@@ -94,7 +93,7 @@ impl Meshes {
     /// The worker of a number is gone, and its files with it.
     pub fn forget(&mut self, worker: usize) {
         for file in &mut self.files {
-            file.handed_to.retain(|number| *number != worker);
+            file.handed_to &= !(1 << worker);
         }
     }
 }

@@ -34,8 +34,8 @@ pub struct Page {
     /// The worker that grows the plant.
     hand: Hand,
     meshes: Meshes,
-    /// The scene that was ready last: what to go back to when a worker is lost.
-    worked: Option<Scene>,
+    /// The link of the scene that was ready last, if any: what to go back to when a worker is lost.
+    worked: String,
     /// Whether the figures stand in the place of the plant: then nothing grows here.
     is_away: bool,
     refusal: Option<Refusal>,
@@ -62,7 +62,7 @@ impl Page {
             sharp: false,
             hand: Hand::default(),
             meshes: Meshes::default(),
-            worked: None,
+            worked: String::new(),
             is_away,
             refusal: None,
             less_motion: false,
@@ -330,7 +330,7 @@ impl Page {
             effects.push(Effect::WriteLink(link));
         }
         if self.state() == State::Ready {
-            self.worked = Some(self.scene.clone());
+            self.worked.clone_from(&self.written);
             let said = self.description();
             if said != self.said {
                 self.said.clone_from(&said);

@@ -61,7 +61,7 @@ impl Together {
             match effect {
                 Effect::StartWorker => {
                     self.starts += 1;
-                    self.worker = Some(Worker::new(PLANTS, 1));
+                    self.worker = Some(Worker::new(PLANTS));
                     // What the one before has said is not heard any more.
                     self.mailbox = vec![Worker::hello().to_words()];
                 }
@@ -325,7 +325,7 @@ fn a_full_population_ends_the_line_of_days() {
         });
     let (mut page, _) = Page::open("#leaf?v=1&s=1&d=6", &CROWDED);
     page.hear(Event::Mesh { name: "leaf", text: Ok(String::new()) });
-    let mut worker = Worker::new(&CROWDED, 1);
+    let mut worker = Worker::new(&CROWDED);
     let mut told = Vec::new();
     for effect in page.hear(Event::FromWorker(Worker::hello())) {
         let Effect::Post(wish) = effect else { continue };

@@ -71,22 +71,12 @@ pub fn no_mesh(plant: &Plant, why: &str) -> String {
     format!("The shape of the {name} could not be loaded ({why}). Choose a day to try again.")
 }
 
-const TOO_LARGE: &str = "seems to need more memory than this browser gives";
-
 /// Why something does not grow. That memory ran out is the likeliest reason for which a worker ends.
-pub fn too_large() -> String {
-    format!("This {TOO_LARGE}. Fewer first cells need less.")
-}
+pub const TOO_LARGE: &str = "This seems to need more memory than this browser gives.";
 
-/// Why something else is shown than was wished.
-pub fn too_large_so_back() -> String {
-    format!("That {TOO_LARGE}: here is what was there before.")
-}
-
-/// Why no further day comes.
-pub fn too_large_after(day: u32) -> String {
-    format!("Growth ended on day {day}: one day more {TOO_LARGE}.")
-}
+/// The same, where something else is shown than was wished.
+pub const TOO_LARGE_SO_BACK: &str = "That seems to need more memory than this browser gives: back to \
+                                     what there was room for.";
 
 /// Why a growth ended early.
 pub fn full(run: &Run) -> String {

@@ -15,10 +15,9 @@ pub struct Worker {
     plants: &'static [Plant],
     /// The texts of the mesh files that came, by name.
     meshes: Vec<(String, String)>,
-    most_grounds: usize,
-    /// Grounds of the plants grown last, the newest at the end: to make one takes longer than the
-    /// first days of its plant.
-    grounds: Vec<Ground>,
+    /// Of the plant grown last. To make one takes as long as the first days of its plant, but it holds
+    /// up to 170 MB, most of it charts, and so there is one only.
+    ground: Option<Ground>,
     run: Option<Run>,
 }
 
@@ -33,14 +32,11 @@ struct Run {
     generation: u32,
     growth: Growth,
     noise: Option<Noise>,
-    /// Its index in `grounds`.
-    ground: usize,
 }
 
 impl Worker {
-    /// `most_grounds`: plants whose ground is kept, at least 1. One holds up to 130 MB of charts.
-    pub fn new(plants: &'static [Plant], most_grounds: usize) -> Worker {
-        Worker { plants, meshes: Vec::new(), most_grounds, grounds: Vec::new(), run: None }
+    pub fn new(plants: &'static [Plant]) -> Worker {
+        Worker { plants, meshes: Vec::new(), ground: None, run: None }
     }
 
     /// What a worker says first.
@@ -63,8 +59,8 @@ impl Worker {
         };
         self.run = None;
         match self.sow(&link) {
-            Ok((growth, noise, ground)) => {
-                self.run = Some(Run { generation, growth, noise, ground });
+            Ok((growth, noise)) => {
+                self.run = Some(Run { generation, growth, noise });
                 None
             }
             Err(why) => Some(ToPage::Failed { generation, text: why }),
@@ -79,12 +75,13 @@ impl Worker {
     /// Grows until the slice of time is over or the growth ends. `slice_is_over` is asked after each
     /// relaxation event.
     pub fn work(&mut self, slice_is_over: impl Fn() -> bool, mut post: impl FnMut(ToPage)) {
-        while let Some(Run { generation, growth, noise, ground }) = &mut self.run {
+        while let (Some(Run { generation, growth, noise }), Some(ground)) =
+            (&mut self.run, &mut self.ground)
+        {
             let generation = *generation;
             match growth.step() {
                 Progress::Event => {}
                 Progress::Day(day) => {
-                    let ground = &mut self.grounds[*ground];
                     let diary = &growth.diary;
                     let painted =
                         noise.as_ref().map(|n| n.paint(&ground.surface, diary, day as usize));
@@ -106,32 +103,27 @@ impl Worker {
         }
     }
 
-    fn sow(&mut self, link: &str) -> Result<(Growth, Option<Noise>, usize), String> {
+    fn sow(&mut self, link: &str) -> Result<(Growth, Option<Noise>), String> {
         let scene = link::read(link, self.plants).scene;
-        let ground = self.ground(scene.plant)?;
-        self.grounds[ground].finder.begin();
-        let surface = Arc::clone(&self.grounds[ground].surface);
-        let (growth, noise) = scene.sow(surface).map_err(|why| why.to_string())?;
-        Ok((growth, noise, ground))
+        let surface = self.surface(scene.plant)?;
+        scene.sow(surface).map_err(|why| why.to_string())
     }
 
-    /// The index of a plant's ground.
-    fn ground(&mut self, plant: &'static Plant) -> Result<usize, String> {
-        if let Some(known) = self.grounds.iter().position(|ground| ground.plant == plant.key) {
-            let known = self.grounds.remove(known);
-            self.grounds.push(known);
-            return Ok(self.grounds.len() - 1);
+    /// The surface of a plant, whose ground is there then.
+    fn surface(&mut self, plant: &'static Plant) -> Result<Arc<Mesh>, String> {
+        if let Some(known) = self.ground.as_mut().filter(|ground| ground.plant == plant.key) {
+            known.finder.begin();
+            return Ok(Arc::clone(&known.surface));
         }
-        // First, so that the new one finds their room.
-        let others = self.grounds.len().min(self.most_grounds - 1);
-        self.grounds.drain(..self.grounds.len() - others);
+        // First, so that the new one finds its room.
+        self.ground = None;
         let mesh = self.meshes.iter().find(|(name, _)| name == plant.mesh.name);
         let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.mesh.name))?;
         let body = (plant.body)(text).map_err(|why| format!("{}: {why}", plant.mesh.name))?;
         let surface = Arc::new(body.surface);
         let finder = SiteFinder::new(&surface).coloured(plant.controls());
-        self.grounds.push(Ground { plant: plant.key, surface, finder });
-        Ok(self.grounds.len() - 1)
+        self.ground = Some(Ground { plant: plant.key, surface: Arc::clone(&surface), finder });
+        Ok(surface)
     }
 }
 
@@ -161,25 +153,27 @@ mod tests {
     }
 
     #[test]
-    fn grounds_are_kept_up_to_their_number() {
-        for most in [1, 2] {
-            let mut worker = Worker::new(PLANTS, most);
-            worker.hear(mesh("leaf"));
-            worker.hear(mesh("fruit"));
-            for plant in ["leaf", "leaf", "fruit", "leaf"] {
-                assert_eq!(worker.hear(grow(plant)), None);
-                worker.work(|| false, |_| {});
-                let kept: Vec<_> = worker.grounds.iter().map(|ground| ground.plant).collect();
-                assert_eq!(kept.last(), Some(&plant));
-                assert!(kept.iter().all(|one| kept.iter().filter(|two| one == *two).count() == 1));
-            }
-            assert_eq!(worker.grounds.len(), most);
-        }
+    fn the_ground_of_the_last_plant_is_kept() {
+        let mut worker = Worker::new(PLANTS);
+        worker.hear(mesh("leaf"));
+        worker.hear(mesh("fruit"));
+        let mut surface_of = |plant: &str| {
+            assert_eq!(worker.hear(grow(plant)), None);
+            worker.work(|| false, |_| {});
+            let ground = worker.ground.as_ref().unwrap();
+            assert_eq!(ground.plant, plant);
+            Arc::clone(&ground.surface)
+        };
+        let first = surface_of("leaf");
+        assert!(Arc::ptr_eq(&first, &surface_of("leaf")));
+        surface_of("fruit");
+        assert!(!Arc::ptr_eq(&first, &surface_of("leaf")));
+        assert_eq!(Arc::strong_count(&first), 1, "no other one is held");
     }
 
     #[test]
     fn a_plant_whose_mesh_has_not_come_is_refused() {
-        let mut worker = Worker::new(PLANTS, 1);
+        let mut worker = Worker::new(PLANTS);
         worker.hear(mesh("fruit"));
         let text = "leaf has not come".to_string();
         assert_eq!(worker.hear(grow("leaf")), Some(ToPage::Failed { generation: 1, text }));

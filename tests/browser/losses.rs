@@ -36,7 +36,7 @@ fn open(is_deadly: &str, link: &str) -> Option<Page> {
     Some(page)
 }
 
-const TOO_LARGE: &str = "seems to need more memory than this browser gives";
+const TOO_LARGE: &str = "That seems to need more memory than this browser gives: back to";
 
 #[test]
 fn a_growth_that_kills_the_worker_brings_back_what_was_there_before() {

@@ -46,7 +46,7 @@ impl Together {
             match effect {
                 Effect::StartWorker => {
                     self.starts += 1;
-                    self.workers[number] = Some(Worker::new(PLANTS, 1));
+                    self.workers[number] = Some(Worker::new(PLANTS));
                     self.mailbox.push((number, Worker::hello()));
                 }
                 Effect::EndWorker => self.end(number),

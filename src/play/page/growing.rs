@@ -109,19 +109,20 @@ impl Page {
         if grew != Some(self.run.generation) {
             return if may_start { self.wish(effects) } else { self.fail(why, effects) };
         }
-        let preset = || Scene::preset(self.scene.plant, self.scene.individual);
-        let before = self.worked.take().unwrap_or_else(preset);
+        let before = match std::mem::take(&mut self.worked).as_str() {
+            "" => Scene::preset(self.scene.plant, self.scene.individual),
+            worked => link::read(worked, self.plants).scene,
+        };
         let newest = self.run.newest();
         let is_held = newest >= Some(self.playhead.wished_day());
         if !is_held && !before.grows_like(&self.run.scene) {
             self.adopt(before, effects);
-            effects.push(Effect::Tell(vec![words::too_large_so_back()]));
         } else if let Some(newest) = newest {
             self.end_after(newest);
-            effects.push(Effect::Tell(vec![words::too_large_after(newest)]));
         } else {
-            self.fail(words::too_large(), effects);
+            return self.fail(words::TOO_LARGE.to_string(), effects);
         }
+        effects.push(Effect::Tell(vec![words::TOO_LARGE_SO_BACK.to_string()]));
     }
 
     fn end_worker(&mut self, effects: &mut Vec<Effect>) {
