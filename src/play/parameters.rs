@@ -86,12 +86,12 @@ impl Parameter {
             return Err("this plant has no use for it".to_string());
         }
         let [least, greatest] = self.range;
-        if self.is_whole() && value.fract() != 0.0 {
-            return Err("it must be a whole number".to_string());
-        }
         if !(least..=greatest).contains(&value) {
             let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
             return Err(format!("it must be from {least} to {greatest}{unit}"));
+        }
+        if self.is_whole() && value.fract() != 0.0 {
+            return Err("it must be a whole number".to_string());
         }
         let mut changed = scene.clone();
         // No -0.0, which a link does not tell from 0.0.
