@@ -163,6 +163,9 @@ impl Recipe {
         self.radius_scale * (area_cm2 / cells as f32).sqrt()
     }
 
+    /// The greatest `max_cells`. Numbers of cells have thirty bits where they are drawn.
+    pub const MOST_CELLS: u32 = 100_000_000;
+
     /// Refuses what the model cannot grow.
     pub fn check(&self) -> Result<(), RecipeError> {
         let fail = |what: String| Err(RecipeError(what));
@@ -208,8 +211,7 @@ impl Recipe {
                 return fail(format!("{name} is {value}: it must be at most {most}"));
             }
         }
-        // Numbers of cells have thirty bits where they are drawn.
-        if self.max_cells > 100_000_000 {
+        if self.max_cells > Recipe::MOST_CELLS {
             return fail(format!(
                 "max_cells is {}: it must be at most 100,000,000",
                 self.max_cells

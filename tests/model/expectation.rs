@@ -61,7 +61,7 @@ fn plants_have_the_cells_expected_of_the_first_cells_that_were_drawn() {
         let recipe = Recipe {
             initial_relaxations: 0,
             relaxations_per_day: 0,
-            max_cells: u32::MAX,
+            max_cells: Recipe::MOST_CELLS,
             ..plant.recipe.clone()
         };
         let day = recipe.days as usize;

@@ -98,7 +98,8 @@ impl Subject {
     fn grow(&self, individual: u32) -> Row {
         let day = self.scene.day;
         // The cap guards a visitor's memory; here it would cut off the largest individuals.
-        let recipe = Recipe { days: day, max_cells: u32::MAX, ..self.scene.recipe.clone() };
+        let recipe =
+            Recipe { days: day, max_cells: Recipe::MOST_CELLS, ..self.scene.recipe.clone() };
         let scene = Scene { individual, recipe: recipe.clone(), ..self.scene.clone() };
         let sown = scene.sow(self.mesh.clone());
         let (mut growth, noise) = sown.expect("the recipes of figures are sound");
