@@ -9,8 +9,8 @@ use clonal_mosaic::surface::Mesh;
 use clonal_mosaic::tissue::{Growth, Progress, Recipe};
 use glam::Vec3;
 use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 /// The system's memory, counted.
@@ -36,6 +36,12 @@ unsafe impl GlobalAlloc for Counted {
 static MEMORY: Counted = Counted;
 
 const MB: usize = 1_000_000;
+
+/// The process counts its memory as a whole, so tests that count take turns.
+fn alone() -> MutexGuard<'static, ()> {
+    static ALONE: Mutex<()> = Mutex::new(());
+    ALONE.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// Does something, and returns the most megabytes that it held at a time.
 fn megabytes_of(name: &str, what: impl FnOnce()) -> usize {
@@ -105,6 +111,7 @@ fn few_and_many_cells(plant: &'static Plant) -> impl Iterator<Item = Scene> {
 
 #[test]
 fn every_plant_grows_within_400_megabytes_at_all_ends_of_its_sliders() {
+    let _alone = alone();
     let mut over = Vec::new();
     for plant in plants::all() {
         for scene in pairs_of_ends(plant).into_iter().chain(few_and_many_cells(plant)) {
@@ -148,6 +155,7 @@ fn scan(noise: f32) -> Mesh {
 
 #[test]
 fn fine_rough_meshes_grow_within_a_gigabyte() {
+    let _alone = alone();
     for noise in [0.0, 0.004, 0.03] {
         let mesh = Arc::new(scan(noise));
         assert_eq!(mesh.triangles.len(), 125_000);

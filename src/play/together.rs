@@ -124,11 +124,15 @@ impl Together {
         }
     }
 
-    fn finish(&mut self) {
+    fn finish_growth(&mut self) {
         self.deliver();
         while self.is_busy() {
             self.work();
         }
+    }
+
+    fn finish(&mut self) {
+        self.finish_growth();
         self.rest();
     }
 

@@ -94,3 +94,17 @@ fn a_lost_picture_is_no_picture() {
     all.page.hear(Event::Drawn { sharp: true });
     assert_eq!(all.page.state(), State::Ready);
 }
+
+#[test]
+fn the_end_of_growth_does_not_end_a_loop() {
+    let mut all = Together::open("#leaf?v=1&s=1&d=5");
+    all.work_until_day(6);
+    all.rest();
+    all.hear(Event::Loop(true));
+    all.hear(Event::PlayOrPause);
+    all.hear(Event::Tick(0.1));
+    assert_eq!((all.page.playhead().wished_day(), all.page.run().end.clone()), (6, None));
+    all.finish_growth();
+    assert_eq!(all.page.run().end, Some(End::Done));
+    assert!(all.page.playhead().is_playing());
+}
