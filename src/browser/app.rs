@@ -25,6 +25,7 @@ use crate::play::gallery;
 use crate::play::page::{Effect, Event, Page};
 use crate::play::parameters::Parameter;
 use crate::play::protocol::BUILD;
+use crate::surface::unpack;
 use std::cell::RefCell;
 use wasm_bindgen_futures::spawn_local;
 
@@ -380,7 +381,9 @@ impl App {
 }
 
 async fn load_mesh(name: &'static str) {
-    let text = mail::fetch_text(&format!("./meshes/{name}?build={BUILD}")).await;
+    let packed = name.replace(".obj", ".txt");
+    let packed = mail::fetch_text(&format!("./meshes/{packed}?build={BUILD}")).await;
+    let text = packed.map(|packed| unpack(&packed));
     send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
     send(Event::Mesh { name, text });
 }

@@ -126,7 +126,7 @@ fn a_row_grows_and_opens_with_webgl2() {
 fn the_plant_behind_the_figures_is_loaded_when_it_is_opened() {
     let Some(page) = Page::open(Graphics::WebGpu, &format!("#figures/{NUMBER}")) else { return };
     page.ready();
-    let is_croton = |file: &String| file.ends_with("croton.obj");
+    let is_croton = |file: &String| file.ends_with("croton.txt");
     assert!(!page.server.requested().iter().any(is_croton), "nobody has asked for it");
     page.run("document.getElementById('from-figures').click()");
     assert_eq!(

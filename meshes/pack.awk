@@ -1,0 +1,24 @@
+# Writes an OBJ file for the download: each number of a v, vt or f line as the difference from the one
+# at its place in the line of the same kind before, coordinates in hundredths. What is left compresses to
+# a third. src/surface/packed.rs reads it back.
+
+function whole(number) { return int(number < 0 ? number - 0.5 : number + 0.5) }
+
+$1 == "v" || $1 == "vt" || $1 == "f" {
+    scale = $1 == "f" ? 1 : 100
+    line = $1
+    rest = substr($0, length($1) + 1)
+    for (place = 0; match(rest, /[-0-9.]+/); place++) {
+        number = substr(rest, RSTART, RLENGTH) * scale
+        if (number - whole(number) > 1e-6 || whole(number) - number > 1e-6) {
+            print FILENAME ": more than two decimals: " $0 >"/dev/stderr"
+            exit 1
+        }
+        line = line substr(rest, 1, RSTART - 1) (whole(number) - before[$1, place])
+        before[$1, place] = whole(number)
+        rest = substr(rest, RSTART + RLENGTH)
+    }
+    print line rest
+    next
+}
+{ print }
