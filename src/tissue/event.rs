@@ -102,7 +102,6 @@ impl Hands {
     pub(super) fn reserve(&mut self, cells: usize) {
         for hand in &mut self.hands {
             hand.near.reserve(cells);
-            hand.pushes.resize(cells + LANES, Push::default());
         }
     }
 
@@ -183,6 +182,9 @@ impl Hand {
     /// Moves the cells of a patch.
     fn relax(&mut self, event: &Event, patch: &Neighbourhood, output: &mut Output) {
         let own = event.rows_of_slots(&patch.own);
+        if self.pushes.len() < own.len() + LANES {
+            self.pushes.resize(own.len() + LANES, Push::default());
+        }
         self.unfold(event, patch);
         self.near.sort();
         // On even ground a whole patch at once.

@@ -66,7 +66,7 @@ struct Points {
 }
 
 impl Near {
-    /// Room for all cells of a day: no patch sees more.
+    /// Room for all cells of a day: no patch sees more, and nearly all see far fewer.
     pub(super) fn reserve(&mut self, cells: usize) {
         // The force loop reads so many from where the last window may begin.
         let rows = cells + EIGHT;
@@ -78,9 +78,9 @@ impl Near {
             &mut self.y,
             &mut self.kind,
         ] {
-            column.resize(rows, 0.0);
+            make_room(column, rows);
         }
-        self.weights.iter_mut().for_each(|column| column.resize(rows, 0.0));
+        self.weights.iter_mut().for_each(|column| make_room(column, rows));
         for column in [
             &mut self.box_of,
             &mut self.slot_of,
@@ -88,7 +88,7 @@ impl Near {
             &mut self.window_of,
             &mut self.seen_of,
         ] {
-            column.resize(rows, 0);
+            make_room(column, rows);
         }
     }
 
@@ -266,6 +266,15 @@ fn seen_boxes(x: f32x4, y: f32x4) -> u32x4 {
     };
     let (lower, upper) = (is_lower.select(look, chord), is_lower.select(chord, look));
     integers(seen(lower) + eight * eight * seen(upper))
+}
+
+/// A column of so many rows. It is made anew, as the system hands out zeros without writing them: rows that
+/// are never used take no memory.
+fn make_room<T: Copy + Default>(column: &mut Vec<T>, rows: usize) {
+    if column.len() < rows {
+        drop(std::mem::take(column));
+        *column = vec![T::default(); rows];
+    }
 }
 
 #[cfg(test)]
