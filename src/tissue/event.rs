@@ -89,6 +89,13 @@ impl Hands {
         Hands { hands: vec![Hand::default(); threads.max(1)], threads: threads_of_pool }
     }
 
+    /// # Panics
+    /// If there is only one hand.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn threads(&self) -> &rayon::ThreadPool {
+        self.threads.as_ref().expect("several hands have threads")
+    }
+
     /// How many there are.
     pub(super) fn count(&self) -> usize {
         self.hands.len()
@@ -131,7 +138,8 @@ impl Hands {
         match works {
             #[cfg(not(target_arch = "wasm32"))]
             works if works.len() > 1 => {
-                self.threads.as_ref().expect("one for each hand").scope(|all| {
+                let threads = self.threads.as_ref().expect("several hands have threads");
+                threads.scope(|all| {
                     for work in works {
                         all.spawn(|_| work.do_it(event));
                     }

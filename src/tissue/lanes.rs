@@ -73,8 +73,8 @@ pub(super) fn integers(whole: f32x4) -> u32x4 {
 pub(super) struct BinSort {
     /// The first row of each bin, and the end of the last.
     pub(super) starts: Vec<u32>,
-    /// How many rows of each bin have been counted: none between two sorts.
-    counts: Vec<u32>,
+    /// How many rows of each bin have been counted, by those who count: none between two sorts.
+    counts: Vec<Vec<u32>>,
     /// How many rows of its bin stood before each row.
     ranks: Vec<u32>,
 }
@@ -86,37 +86,103 @@ impl BinSort {
     pub(super) fn sort(
         &mut self,
         bins: &[u32],
-        rows: &[Range<usize>],
+        rows: Range<usize>,
         bins_in_all: usize,
         mut place: impl FnMut(usize, usize),
     ) {
+        let room = self.make_room(bins.len(), 1, bins_in_all);
+        let (counts, ranks) = (&mut self.counts[0][..room], &mut self.ranks[rows.clone()]);
+        count(&bins[rows.clone()], ranks, counts);
+        sum_up(counts, &mut self.starts[..room]);
+        for ((row, &bin), &rank) in rows.clone().zip(&bins[rows]).zip(&*ranks) {
+            place(row, (one(&self.starts, bin as usize) + rank) as usize);
+        }
+    }
+
+    /// The same in several shares, whose rows follow each other: first each is to `count`, on whatever thread,
+    /// then this is to `join` them, and then each hands out where its rows go.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub(super) fn shares<'a>(
+        &'a mut self,
+        bins: &'a [u32],
+        rows: &[Range<usize>],
+        bins_in_all: usize,
+    ) -> (&'a mut [u32], Vec<Share<'a>>) {
+        let room = self.make_room(bins.len(), rows.len(), bins_in_all);
+        let (mut ranks, mut behind) = (&mut self.ranks[..], 0);
+        let shares = rows.iter().zip(&mut self.counts).map(|(rows, counts)| {
+            let (own, others) =
+                std::mem::take(&mut ranks)[rows.start - behind..].split_at_mut(rows.len());
+            (ranks, behind) = (others, rows.end);
+            let counts = &mut counts[..room];
+            Share { bins: &bins[rows.clone()], first_row: rows.start, ranks: own, counts }
+        });
+        let shares = shares.collect();
+        (&mut self.starts[..room], shares)
+    }
+
+    /// Room for so many bins and more, in fours.
+    fn make_room(&mut self, rows: usize, shares: usize, bins_in_all: usize) -> usize {
         let room = (bins_in_all + 1).next_multiple_of(LANES);
-        if self.counts.len() < room {
-            self.counts.resize(room, 0);
-            self.starts.resize(room, 0);
+        if self.counts.len() < shares {
+            self.counts.resize(shares, Vec::new());
         }
-        if self.ranks.len() < bins.len() {
-            self.ranks.resize(bins.len(), 0);
-        }
-        let (starts, counts) = (&mut self.starts[..room], &mut self.counts[..room]);
-        let ranks = &mut self.ranks[..bins.len()];
-        // Rows of one bin follow each other closely: to count on in memory has to be waited for, and is
-        // done once.
-        for rows in rows {
-            for (&bin, rank) in bins[rows.clone()].iter().zip(&mut ranks[rows.clone()]) {
-                let count = &mut counts[bin as usize];
-                *rank = *count;
-                *count += 1;
+        for column in self.counts[..shares].iter_mut().chain([&mut self.starts]) {
+            if column.len() < room {
+                column.resize(room, 0);
             }
         }
-        sum_up(counts, starts);
-        for rows in rows {
-            for (k, (&bin, &rank)) in
-                bins[rows.clone()].iter().zip(&ranks[rows.clone()]).enumerate()
-            {
-                place(rows.start + k, (one(starts, bin as usize) + rank) as usize);
+        if self.ranks.len() < rows {
+            self.ranks.resize(rows, 0);
+        }
+        room
+    }
+}
+
+/// Counts rows by their bins, and what of its bin stood before each row. Rows of one bin follow each other
+/// closely: to count on in memory has to be waited for, and is done once.
+#[inline]
+fn count(bins: &[u32], ranks: &mut [u32], counts: &mut [u32]) {
+    for (&bin, rank) in bins.iter().zip(ranks) {
+        let count = &mut counts[bin as usize];
+        *rank = *count;
+        *count += 1;
+    }
+}
+
+/// Rows that one hand sorts beside others.
+#[cfg(not(target_arch = "wasm32"))]
+pub(super) struct Share<'a> {
+    bins: &'a [u32],
+    first_row: usize,
+    ranks: &'a mut [u32],
+    /// Rows of each bin; once joined, where the first of them goes.
+    counts: &'a mut [u32],
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl Share<'_> {
+    pub(super) fn count(&mut self) {
+        count(self.bins, self.ranks, self.counts);
+    }
+
+    /// Starts each bin where those before it end, and the rows of a share behind those of the shares before.
+    pub(super) fn join(shares: &mut [Share], starts: &mut [u32]) {
+        let mut before = 0;
+        for (bin, start) in starts.iter_mut().enumerate() {
+            *start = before;
+            for share in &mut *shares {
+                before += std::mem::replace(&mut share.counts[bin], before);
             }
         }
+    }
+
+    /// Calls `place` with each row's number before and after.
+    pub(super) fn place(&mut self, mut place: impl FnMut(usize, usize)) {
+        for ((k, &bin), &rank) in self.bins.iter().enumerate().zip(&*self.ranks) {
+            place(self.first_row + k, (one(self.counts, bin as usize) + rank) as usize);
+        }
+        self.counts.fill(0);
     }
 }
 
@@ -164,9 +230,17 @@ mod tests {
             let bins: Vec<u32> = (0..count).map(|row| row * row * 31 % 101 % bins_in_all).collect();
             let mut sorted = vec![u32::MAX; bins.len()];
             let all = 0..bins.len();
-            sorting.sort(&bins, &[all], bins_in_all as usize, |row, to| sorted[to] = row as u32);
+            sorting.sort(&bins, all, bins_in_all as usize, |row, to| sorted[to] = row as u32);
             let mut expected: Vec<u32> = (0..count).collect();
             expected.sort_by_key(|&row| bins[row as usize]);
+            assert_eq!(sorted, expected);
+            sorted.fill(u32::MAX);
+            let third = bins.len() / 3;
+            let parts = [0..third, third..2 * third, 2 * third..bins.len()];
+            let (starts, mut shares) = sorting.shares(&bins, &parts, bins_in_all as usize);
+            shares.iter_mut().rev().for_each(Share::count);
+            Share::join(&mut shares, starts);
+            shares.iter_mut().for_each(|s| s.place(|row, to| sorted[to] = row as u32));
             assert_eq!(sorted, expected);
             for bin in 0..=bins_in_all {
                 let before = bins.iter().filter(|&&other| other < bin).count();

@@ -18,6 +18,8 @@ mod noise;
 mod plan;
 mod recipe;
 mod relax;
+#[cfg(not(target_arch = "wasm32"))]
+mod threads;
 
 pub(crate) use bins::{Bins, Rim};
 pub use control::{Control, Use};

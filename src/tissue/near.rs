@@ -7,7 +7,6 @@ use super::relax::{Row, four};
 use crate::surface::Laid;
 use glam::Vec2;
 use std::ops::Range;
-use std::slice::from_ref;
 use wide::{f32x4, u32x4};
 
 /// Boxes are twice as high as a cell looks around, so that it sees two rows of them, and this many to
@@ -187,7 +186,7 @@ impl Near {
         let (x, y, kind) = (&x[..], &y[..], &kind[..]);
         let (to_x, to_y, to_kind) = (&mut self.x[..], &mut self.y[..], &mut self.kind[..]);
         let all = 0..self.len;
-        self.sorting.sort(&self.box_of, from_ref(&all), self.boxes, move |k, to| {
+        self.sorting.sort(&self.box_of, all, self.boxes, move |k, to| {
             // SAFETY: all columns are of the same length, at least `len`, as `reserve` made them.
             unsafe {
                 copy(x, k, to_x, to);

@@ -8,7 +8,6 @@ use super::plan::{Plan, look_cm};
 use crate::surface::{Mesh, Place};
 use bytemuck::{Pod, Zeroable};
 use std::ops::Range;
-use std::slice::from_ref;
 use wide::f32x4;
 
 /// The cells of one day in the order of their bins, so that cells that lie together in space lie
@@ -90,7 +89,7 @@ impl Crowd {
             self.moved[number] = Row { b1, b2, kind: f32::from(kind), cell: number as u32 };
             self.bins[number] = self.plan.bin(place);
         }
-        self.sort(from_ref(&(0..self.cells)));
+        self.sort(std::slice::from_ref(&(0..self.cells)));
     }
 
     /// The places of all cells by their numbers.
@@ -137,11 +136,23 @@ impl Crowd {
 
     /// Sorts the moved cells of some rows by their bins; those of one bin keep their order.
     fn sort(&mut self, written: &[Range<usize>]) {
+        let bins_in_all = self.plan.bins_in_all();
         let (moved, rows) = (&self.moved[..], &mut self.rows[..]);
-        self.sorting.sort(&self.bins, written, self.plan.bins_in_all(), move |row, to| {
-            // SAFETY: both have as many rows, more than there are cells.
-            unsafe { copy(moved, row, rows, to) };
-        });
+        if let [written] = written {
+            self.sorting.sort(&self.bins, written.clone(), bins_in_all, move |row, to| {
+                // SAFETY: both have as many rows, more than there are cells.
+                unsafe { copy(moved, row, rows, to) };
+            });
+            return;
+        }
+        #[cfg(not(target_arch = "wasm32"))]
+        super::threads::sort(
+            self.hands.threads(),
+            &mut self.sorting,
+            (&self.bins, written, bins_in_all),
+            moved,
+            rows,
+        );
     }
 }
 
