@@ -168,13 +168,23 @@ impl Share<'_> {
 
     /// Starts each bin where those before it end, and the rows of a share behind those of the shares before.
     pub(super) fn join(shares: &mut [Share], starts: &mut [u32]) {
+        starts.fill(0);
+        for share in &*shares {
+            starts.iter_mut().zip(&*share.counts).for_each(|(all, count)| *all += count);
+        }
         let mut before = 0;
-        for (bin, start) in starts.iter_mut().enumerate() {
-            *start = before;
-            for share in &mut *shares {
-                before += std::mem::replace(&mut share.counts[bin], before);
+        for start in &mut *starts {
+            before += std::mem::replace(start, before);
+        }
+        for share in shares {
+            // What was the start for this share is the end of its rows, and the start for the next.
+            for (next, count) in starts.iter_mut().zip(&mut *share.counts) {
+                *next += std::mem::replace(count, *next);
             }
         }
+        // Where the rows of a bin end, those of the next one start.
+        starts.copy_within(..starts.len() - 1, 1);
+        starts[0] = 0;
     }
 
     /// Calls `place` with each row's number before and after.
