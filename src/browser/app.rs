@@ -6,6 +6,7 @@ use super::backend;
 use super::chooser::Chooser;
 use super::controls::Controls;
 use super::dom::{Listener, document, on, window};
+use super::files;
 use super::frames::Frames;
 use super::gallery::Gallery;
 use super::keyboard;
@@ -380,7 +381,7 @@ impl App {
 }
 
 async fn load_mesh(name: &'static str) {
-    let text = mail::fetch_text(&format!("./meshes/{name}?build={BUILD}")).await;
+    let text = mail::fetch_text(&files::address(&format!("meshes/{name}?build={BUILD}"))).await;
     send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
     send(Event::Mesh { name, text });
 }
