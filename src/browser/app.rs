@@ -6,6 +6,7 @@ use super::backend;
 use super::chooser::Chooser;
 use super::controls::Controls;
 use super::dom::{Listener, document, on, window};
+use super::files;
 use super::frames::Frames;
 use super::gallery::Gallery;
 use super::keyboard;
@@ -381,9 +382,8 @@ impl App {
 }
 
 async fn load_mesh(name: &'static str) {
-    let packed = name.replace(".obj", ".txt");
-    let packed = mail::fetch_text(&format!("./meshes/{packed}?build={BUILD}")).await;
-    let text = packed.map(|packed| unpack(&packed));
+    let file = files::address(&format!("meshes/{}?build={BUILD}", name.replace(".obj", ".txt")));
+    let text = mail::fetch_text(&file).await.map(|packed| unpack(&packed));
     send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
     send(Event::Mesh { name, text });
 }

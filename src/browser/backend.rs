@@ -52,6 +52,7 @@ fn start_webgl_bundle() {
     // A canvas that was asked for WebGPU never gives WebGL2.
     app::renew_canvas();
     app::end();
+    boot::begin_again();
     boot::load("page_gl", || {
         app::start();
         app::stay_still("The part of this page that draws with WebGL2 could not be loaded.");

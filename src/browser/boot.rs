@@ -2,6 +2,7 @@
 //! bundle for that.
 
 use super::dom::{document, find, set_attribute, set_flag, window};
+use super::files::{self, in_bundles, is_held};
 use js_sys::Promise;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
@@ -15,16 +16,33 @@ use web_sys::{Element, HtmlCanvasElement, HtmlScriptElement};
 pub async fn boot() {
     let adapter = ask_for_adapter();
     page_is_read().await;
+    // What is told where nothing of this runs.
+    find::<Element>("stuck").remove();
     show_poster();
-    let bundle = if !is_there(adapter).await && has_webgl2() { "page_gl" } else { "page" };
-    load(bundle, || {
-        let text = "The playground could not be loaded. Please load the page again.";
-        find::<Element>("message-list").set_text_content(Some(text));
-        set_flag(&find::<Element>("messages"), "hidden", false);
-        if let Some(root) = document().document_element() {
-            set_attribute(&root, "data-state", "error");
+    // A bundle may fail after its script came: its WebAssembly is refused, or too new for the browser.
+    let hear = Closure::<dyn FnMut()>::new(|| {
+        if root().get_attribute("data-state").as_deref() == Some("loading") {
+            tell_failure();
         }
     });
+    let hear = hear.into_js_value();
+    let _ = window().add_event_listener_with_callback("unhandledrejection", hear.unchecked_ref());
+    let bundle = if !is_there(adapter).await && has_webgl2() { "page_gl" } else { "page" };
+    load(bundle, tell_failure);
+}
+
+/// Says that nothing runs until the next bundle does.
+#[cfg(feature = "draw")]
+pub fn begin_again() {
+    set_attribute(&root(), "data-state", "loading");
+}
+
+fn tell_failure() {
+    let text = "The playground could not be loaded. Please load the page again, or try it with a \
+                newer browser.";
+    find::<Element>("message-list").set_text_content(Some(text));
+    set_flag(&find::<Element>("messages"), "hidden", false);
+    set_attribute(&root(), "data-state", "error");
 }
 
 /// Shows the still picture of the linked plant: it is there long before the bundle that knows the
@@ -35,41 +53,36 @@ fn show_poster() {
     let is_name = !matches!(name, "" | "figures")
         && name.bytes().all(|b| b.is_ascii_lowercase() || b == b'-');
     let plant = if is_name { name } else { "croton" };
-    set_attribute(&find::<Element>("poster"), "src", format!("posters/{plant}.avif"));
+    let address = files::address(&format!("posters/{plant}.avif"));
+    set_attribute(&find::<Element>("poster"), "src", address);
 }
 
 /// Loads a bundle and starts its page.
 pub fn load(bundle: &str, on_failure: impl FnOnce() + 'static) {
-    // The loader would ask for these one after the other.
-    preload(&in_bundles(&format!("{bundle}.js")), "modulepreload", "script");
-    preload(&in_bundles(&format!("{bundle}_bg.wasm")), "preload", "fetch");
+    let address = in_bundles(&format!("{bundle}.js"));
+    if !is_held(&address) {
+        // The script would ask for it only when it is there itself.
+        preload_wasm(&in_bundles(&format!("{bundle}_bg.wasm")));
+    }
     let script = document().create_element("script").expect("documents make scripts");
     let script: HtmlScriptElement = script.unchecked_into();
     script.set_type("module");
-    script.set_src(&loader(bundle));
+    script.set_src(&address);
     script.set_onerror(Some(Closure::once_into_js(on_failure).unchecked_ref()));
     append_to_head(&script);
 }
 
-/// The address of the script that starts a bundle.
-pub fn loader(bundle: &str) -> String {
-    in_bundles(&format!("{bundle}_loader.js"))
-}
-
-/// The address of a file in the folder of bundles, whose name tells builds apart.
-fn in_bundles(file: &str) -> String {
-    let root = document().document_element();
-    let folder = root.and_then(|root| root.get_attribute("data-bundles"));
-    format!("./{}/{file}", folder.as_deref().unwrap_or("."))
-}
-
-fn preload(address: &str, how: &str, kind: &str) {
+fn preload_wasm(address: &str) {
     let link = document().create_element("link").expect("documents make links");
-    set_attribute(&link, "rel", how);
-    set_attribute(&link, "as", kind);
+    set_attribute(&link, "rel", "preload");
+    set_attribute(&link, "as", "fetch");
     set_attribute(&link, "crossorigin", "anonymous");
     set_attribute(&link, "href", address);
     append_to_head(&link);
+}
+
+fn root() -> Element {
+    document().document_element().expect("a document has a root")
 }
 
 fn append_to_head(element: &Element) {

@@ -4,6 +4,7 @@ use super::app;
 use super::dom::{
     Listener, copy_of_template, find, mark_when_missing, on, set_attribute, set_text, within,
 };
+use super::files;
 use crate::plants::Plant;
 use crate::play::page::{Event, Page, State};
 use wasm_bindgen::JsCast;
@@ -12,7 +13,7 @@ use web_sys::{Element, HtmlInputElement};
 pub struct Chooser {
     list: Element,
     radios: Vec<HtmlInputElement>,
-    /// The pictures that are not yet asked for, and where they are.
+    /// The pictures that are not yet asked for, and their files.
     pictures: Vec<(Element, String)>,
     /// Whether the chosen plant was on the screen when this was last shown.
     is_seen: bool,
@@ -52,8 +53,8 @@ impl Chooser {
         // The chosen plant comes first: the pictures of all wait until it has been seen for a while.
         if page.state() != State::Loading {
             if self.is_seen {
-                for (picture, address) in self.pictures.drain(..) {
-                    set_attribute(&picture, "src", address);
+                for (picture, path) in self.pictures.drain(..) {
+                    set_attribute(&picture, "src", files::address(&path));
                 }
             }
             self.is_seen = true;

@@ -3,8 +3,8 @@
 
 use super::app;
 use super::dom::{
-    Listener, document, find, on, set_attribute, set_flag, set_text, set_value, show_refusal,
-    typed, watch_typing, window,
+    Listener, document, find, on, set_attribute, set_flag, set_style, set_text, set_value,
+    show_refusal, typed, watch_typing, window,
 };
 use crate::play::link::INDIVIDUAL;
 use crate::play::page::{Event, Page, State};
@@ -92,7 +92,7 @@ impl Controls {
                 set_text(cells, &words::grouped(count.cells));
                 set_text(share, &words::shares(plant, count));
                 set_text(fingerprint, &shown.facts.fingerprint);
-                set_attribute(&self.share, "style", bar(count, &scene.look.cells));
+                set_style(&self.share, "background", &bar(count, &scene.look.cells));
             }
             None => self.facts.iter().for_each(|fact| set_text(fact, "–")),
         }
@@ -128,7 +128,7 @@ impl Controls {
     }
 }
 
-/// The style of a bar in the colours of F, M and B, each as long as its share of the cells.
+/// The background of a bar in the colours of F, M and B, each as long as its share of the cells.
 fn bar(count: DayCount, colours: &[[f32; 3]; 3]) -> String {
     let percent = |cells: u32| 100.0 * f64::from(cells) / f64::from(count.cells.max(1));
     let [f, b, m] = colours.map(|rgb| {
@@ -136,7 +136,7 @@ fn bar(count: DayCount, colours: &[[f32; 3]; 3]) -> String {
         format!("rgb({r} {g} {b})")
     });
     let [to_f, to_m] = [count.by_type[0], count.by_type[0] + count.by_type[2]].map(percent);
-    format!("background: linear-gradient(90deg, {f} {to_f:.1}%, {m} 0 {to_m:.1}%, {b} 0)")
+    format!("linear-gradient(90deg, {f} {to_f:.1}%, {m} 0 {to_m:.1}%, {b} 0)")
 }
 
 fn click(id: &str, mut act: impl FnMut() + 'static) -> Listener {

@@ -55,6 +55,12 @@ pub fn set_attribute(element: &Element, name: &str, value: impl Display) {
     }
 }
 
+/// Styles an element. The policy of the page refuses styles in an attribute.
+pub fn set_style(element: &HtmlElement, property: &str, value: &str) {
+    // Fails only for names that are none.
+    let _ = element.style().set_property(property, value);
+}
+
 /// Adds an option to a select.
 pub fn offer(select: &HtmlSelectElement, value: &str, text: &str) {
     if let Ok(option) = HtmlOptionElement::new_with_text_and_value(text, value) {

@@ -5,8 +5,9 @@
 use super::app;
 use super::dom::{
     Listener, copy_of_template, document, find, mark_when_missing, on, set_attribute, set_flag,
-    set_text, window, within,
+    set_style, set_text, window, within,
 };
+use super::files;
 use super::mail::Mail;
 use super::stage::Stage;
 use crate::draw::DrawError;
@@ -211,8 +212,8 @@ impl RowView {
         let first: Scene = scene(0);
         set_text(&within(&element, ".latin"), first.plant.latin);
         set_text(&within(&element, ".numbers"), &words::numbers(&first.recipe));
-        let row: Element = within(&element, ".pictures");
-        set_attribute(&row, "style", format!("--count: {}", figure.pictures.len()));
+        let row: HtmlElement = within(&element, ".pictures");
+        set_style(&row, "--count", &figure.pictures.len().to_string());
         let mut listeners = Vec::new();
         let pictures = figure.pictures.iter().enumerate().map(|(k, picture)| {
             let tile = copy_of_template("picture-template");
@@ -220,7 +221,8 @@ impl RowView {
             set_text(&within(&tile, ".label"), picture.label);
             let still: Element = within(&tile, "img");
             listeners.push(mark_when_missing(&still));
-            set_attribute(&still, "src", format!("posters/{}.avif", figure.poster(k)));
+            let path = format!("posters/{}.avif", figure.poster(k));
+            set_attribute(&still, "src", files::address(&path));
             let canvas: HtmlCanvasElement = within(&tile, "canvas");
             let _ = row.append_child(&tile);
             let pen = canvas.get_context("2d").ok().flatten().expect("browsers draw in 2D");

@@ -1,13 +1,13 @@
-//! The mail between the page and its worker, and files from our host.
+//! The mail between the page and its worker, and files that are read.
 
 use super::backend::IS_WEBGL_BUNDLE;
-use super::boot::loader;
 use super::dom::{self, Listener, on};
+use super::files;
 use crate::play::protocol::{BUILD, ToPage, ToWorker};
 use js_sys::Uint32Array;
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{ErrorEvent, MessageEvent, Response, Worker, WorkerOptions, WorkerType};
+use web_sys::{ErrorEvent, MessageEvent, Response, Worker};
 
 /// Remembers, for this tab, that the page was loaded again because of a worker of another build.
 const RELOADED: &str = "mosaic-reloaded-for";
@@ -22,11 +22,9 @@ impl Mail {
     /// Starts a worker: the bundle of this page once more, which the browser has at hand. `hear`
     /// takes what it says, or why it has stopped.
     pub fn start(hear: impl Fn(Result<ToPage, String>) + Clone + 'static) -> Result<Mail, String> {
-        let options = WorkerOptions::new();
-        options.set_type(WorkerType::Module);
-        let address = loader(if IS_WEBGL_BUNDLE { "page_gl" } else { "page" });
-        let worker = Worker::new_with_options(&address, &options)
-            .map_err(|_| "This browser starts no worker: the plant cannot grow.".to_string())?;
+        let bundle = if IS_WEBGL_BUNDLE { "page_gl" } else { "page" };
+        let worker = files::start_worker(bundle)
+            .ok_or_else(|| "This browser starts no worker: the plant cannot grow.".to_string())?;
         let hear_end = hear.clone();
         let listeners = [
             on(&worker, "message", move |message: MessageEvent| {
@@ -57,7 +55,7 @@ impl Drop for Mail {
     }
 }
 
-/// What stands in a text file of our host; in an error, why it cannot be had.
+/// What stands in a text file; in an error, why it cannot be had.
 pub async fn fetch_text(address: &str) -> Result<String, String> {
     let answer = JsFuture::from(dom::window().fetch_with_str(address)).await;
     let answer: Response = answer.map_err(|_| "no connection")?.unchecked_into();

@@ -13,6 +13,7 @@ mod chooser;
 #[cfg(feature = "draw")]
 mod controls;
 mod dom;
+mod files;
 #[cfg(feature = "draw")]
 mod frames;
 #[cfg(feature = "draw")]

@@ -2,6 +2,7 @@
 
 use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
+use super::files;
 use crate::draw::{DrawError, Frame, Geometry, Renderer};
 use crate::mosaic::SiteLists;
 use crate::plants::{BodyError, Look, Plant, Show};
@@ -299,7 +300,7 @@ impl Stage {
         let live = matches!(self.graphics, Graphics::Running(_)) && self.handed.has_cells();
         set_flag(&self.element, "data-live", live);
         if !live {
-            let address = format!("posters/{}.avif", shown.plant);
+            let address = files::address(&format!("posters/{}.avif", shown.plant));
             if self.poster.get_attribute("src").as_deref() != Some(&address) {
                 set_flag(&self.poster, "data-missing", false);
                 set_attribute(&self.poster, "src", address);

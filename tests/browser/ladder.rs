@@ -102,8 +102,11 @@ fn a_mesh_that_does_not_come_is_told() {
 
 #[test]
 fn a_bundle_that_does_not_come_is_told() {
-    let Some(page) = open_without("*page_loader*") else { return };
-    assert!(page.messages().contains("could not be loaded"), "{}", page.messages());
+    for file in ["*/page.js*", "*/page_bg.wasm*"] {
+        let Some(page) = open_without(file) else { return };
+        let told = page.messages();
+        assert!(told.contains("playground could not be loaded"), "{file}: {told}");
+    }
 }
 
 #[test]

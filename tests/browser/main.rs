@@ -3,14 +3,17 @@
 //! `./playground test` builds the page and fails where Chromium or the page is missing; a plain
 //! `cargo test` skips these tests then, and says so.
 
+mod embedding;
 mod figures;
 mod graphics;
 mod journeys;
 mod ladder;
 mod losses;
 mod measure;
+mod one_file;
 mod page;
 mod pixels;
+mod policy;
 mod posters;
 mod rays;
 mod reach;

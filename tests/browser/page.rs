@@ -105,8 +105,27 @@ impl Page {
     /// Loads the page anew with this link.
     #[track_caller]
     pub fn visit(&self, link: &str) {
+        self.go(&format!("{}{link}", self.server.address()));
+    }
+
+    /// Goes to any address.
+    #[track_caller]
+    pub fn go(&self, address: &str) {
         self.browser.open("about:blank");
-        self.browser.open(&format!("{}{link}", self.server.address()));
+        self.browser.open(address);
+    }
+
+    /// Opens an address in a frame with this `sandbox`, and goes into it.
+    #[track_caller]
+    pub fn go_to_frame(&self, address: &str, sandbox: &str) {
+        let icon = "<link rel=icon href=data:>";
+        let frame =
+            format!("{icon}<iframe sandbox='{sandbox}' width=1200 height=700 src='{address}'>");
+        let platform = Path::new(env!("CARGO_TARGET_TMPDIR")).join("platform");
+        std::fs::create_dir_all(&platform).expect("a folder can be made");
+        std::fs::write(platform.join("index.html"), frame).expect("a file can be written");
+        self.go(&Server::start(&platform).address());
+        self.browser.enter_frame();
     }
 
     #[track_caller]
@@ -247,6 +266,12 @@ impl Page {
     #[track_caller]
     pub fn complaints(&self) -> Vec<String> {
         self.browser.complaints()
+    }
+
+    /// Errors and warnings on the console since the last call.
+    #[track_caller]
+    pub fn warnings(&self) -> Vec<String> {
+        self.browser.console(&["SEVERE", "WARNING"])
     }
 }
 

@@ -7,7 +7,7 @@ use clonal_mosaic::tissue::Progress;
 use std::sync::Arc;
 
 /// The fingerprint of a link's day, grown natively.
-fn native(text: &str) -> String {
+pub fn native(text: &str) -> String {
     let opened = link::read(text, plants::all());
     assert!(opened.left_out.is_empty(), "{text}: {:?}", opened.left_out);
     let scene = opened.scene;

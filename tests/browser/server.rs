@@ -18,15 +18,21 @@ const PREFIX: &str = "/a/sub/path/";
 
 impl Server {
     pub fn start(folder: &Path) -> Server {
+        Server::with_headers(folder, "")
+    }
+
+    /// The same with lines of headers of its own, each with its line end.
+    pub fn with_headers(folder: &Path, headers: &str) -> Server {
         let listener = TcpListener::bind("127.0.0.1:0").expect("a free port");
         let port = listener.local_addr().expect("a bound address").port();
         let requested = Arc::new(Mutex::new(Vec::new()));
         let (folder, log) = (folder.to_path_buf(), requested.clone());
+        let headers = headers.to_string();
         std::thread::spawn(move || {
             for stream in listener.incoming().flatten() {
-                let (folder, log) = (folder.clone(), log.clone());
+                let (folder, log, headers) = (folder.clone(), log.clone(), headers.clone());
                 // A browser that hangs up is no concern of ours.
-                std::thread::spawn(move || answer(stream, &folder, &log));
+                std::thread::spawn(move || answer(stream, &folder, &log, &headers));
             }
         });
         Server { port, requested }
@@ -44,7 +50,12 @@ impl Server {
     }
 }
 
-fn answer(mut stream: TcpStream, folder: &Path, log: &Mutex<Vec<String>>) -> std::io::Result<()> {
+fn answer(
+    mut stream: TcpStream,
+    folder: &Path,
+    log: &Mutex<Vec<String>>,
+    headers: &str,
+) -> std::io::Result<()> {
     let mut lines = BufReader::new(stream.try_clone()?).lines();
     let request = lines.next().unwrap_or(Ok(String::new()))?;
     while lines.next().is_some_and(|line| line.is_ok_and(|line| !line.is_empty())) {}
@@ -66,7 +77,7 @@ fn answer(mut stream: TcpStream, folder: &Path, log: &Mutex<Vec<String>>) -> std
     write!(
         stream,
         "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\n\
-         Cache-Control: max-age=600\r\nConnection: close\r\n\r\n",
+         Cache-Control: max-age=600\r\nConnection: close\r\n{headers}\r\n",
         bytes.len()
     )?;
     stream.write_all(&bytes)

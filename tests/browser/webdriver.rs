@@ -108,15 +108,31 @@ impl WebDriver {
         self.post("goog/cdp/execute", json!({ "cmd": command, "params": parameters }))
     }
 
+    /// Goes into the first frame of the page, in which scripts run and elements are found from then on.
+    #[track_caller]
+    pub fn enter_frame(&self) {
+        self.post("frame", json!({ "id": 0 }));
+    }
+
     /// What the console has said since the last call, without mere remarks.
     #[track_caller]
     pub fn complaints(&self) -> Vec<String> {
+        self.console(&["SEVERE"])
+    }
+
+    /// What the console has said on these levels since the last call.
+    #[track_caller]
+    pub fn console(&self, levels: &[&str]) -> Vec<String> {
         let entries = self.post("se/log", json!({ "type": "browser" }));
         let entries = entries.as_array().cloned().unwrap_or_default();
         entries
             .iter()
-            .filter(|entry| entry["level"] == "SEVERE")
+            .filter(|entry| levels.iter().any(|level| entry["level"] == *level))
             .map(|entry| entry["message"].as_str().unwrap_or_default().to_string())
+            // Of graphics the browser talks to itself.
+            .filter(|told| {
+                !told.contains("GL Driver Message") && !told.ends_with("No available adapters.")
+            })
             .collect()
     }
 

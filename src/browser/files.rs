@@ -1,0 +1,56 @@
+//! Where the files of the playground come from: from its host, or, in the edition of one file, from
+//! elements of the page that hold them, whose ids are the paths of the files.
+
+use super::dom::{document, set_attribute, window};
+use js_sys::Array;
+use web_sys::{Blob, BlobPropertyBag, Url, Worker, WorkerOptions, WorkerType};
+
+/// The address of a file, given its path beside the page; a query counts for a host only.
+pub fn address(path: &str) -> String {
+    let name = path.split('?').next().unwrap_or_default();
+    let Some(holder) = document().get_element_by_id(name) else { return path.to_string() };
+    // Pictures have an address that holds them; other files get one when they are first asked for.
+    holder.get_attribute("href").unwrap_or_else(|| {
+        let address = address_of_text(&holder.text_content().unwrap_or_default());
+        set_attribute(&holder, "href", &address);
+        address
+    })
+}
+
+/// The address of a file in the folder of bundles, whose name tells builds apart.
+pub fn in_bundles(file: &str) -> String {
+    let root = document().document_element();
+    let folder = root.and_then(|root| root.get_attribute("data-bundles"));
+    address(&format!("{}/{file}", folder.unwrap_or_default()))
+}
+
+/// Whether an address leads to what the page itself holds.
+pub fn is_held(address: &str) -> bool {
+    address.starts_with("blob:")
+}
+
+/// Starts a bundle as a worker; None where the browser starts none.
+#[cfg_attr(not(feature = "draw"), allow(dead_code))]
+pub fn start_worker(bundle: &str) -> Option<Worker> {
+    let address = in_bundles(&format!("{bundle}.js"));
+    if is_held(&address) {
+        return Worker::new(&address).ok();
+    }
+    // In a locked frame the page is a stranger to its own host, and may start only what it made.
+    if window().origin() == "null" {
+        let base = document().base_uri().ok().flatten().unwrap_or_default();
+        let address = Url::new_with_base(&address, &base).ok()?.href();
+        return Worker::new(&address_of_text(&format!("import(\"{address}\")"))).ok();
+    }
+    let options = WorkerOptions::new();
+    options.set_type(WorkerType::Module);
+    Worker::new_with_options(&address, &options).ok()
+}
+
+/// An address, within this page, of a text: scripts must say what they are, others may say the same.
+fn address_of_text(text: &str) -> String {
+    let kind = BlobPropertyBag::new();
+    kind.set_type("text/javascript");
+    let blob = Blob::new_with_str_sequence_and_options(&Array::of1(&text.into()), &kind);
+    blob.and_then(|blob| Url::create_object_url_with_blob(&blob)).unwrap_or_default()
+}
