@@ -14,6 +14,8 @@ mod chooser;
 mod controls;
 mod dom;
 #[cfg(feature = "draw")]
+mod fingers;
+#[cfg(feature = "draw")]
 mod frames;
 #[cfg(feature = "draw")]
 mod gallery;
@@ -28,6 +30,8 @@ mod panel;
 #[cfg(feature = "draw")]
 mod pointer;
 #[cfg(feature = "draw")]
+mod sheet;
+#[cfg(feature = "draw")]
 mod show;
 #[cfg(feature = "draw")]
 mod stage;
@@ -35,6 +39,8 @@ mod stage;
 mod surroundings;
 #[cfg(feature = "draw")]
 mod timeline;
+#[cfg(feature = "draw")]
+mod typing;
 #[cfg(feature = "draw")]
 mod worker;
 
