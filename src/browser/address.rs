@@ -22,3 +22,11 @@ pub fn write_link(link: &str) {
         let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
     }
 }
+
+/// Makes a link the fragment; the browser's way back leads to the one that is there.
+pub fn push_link(link: &str) {
+    if let Ok(history) = window().history() {
+        let address = format!("#{link}");
+        let _ = history.push_state_with_url(&JsValue::NULL, "", Some(&address));
+    }
+}

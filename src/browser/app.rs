@@ -1,37 +1,38 @@
 //! The one application of this page: takes events to the page's brain, does what it says, and brings
 //! the document into agreement with it.
 
-use super::address::{base, fragment, write_link};
-use super::backend;
+mod frame;
+
+use super::address::{base, fragment, push_link, write_link};
 use super::chooser::Chooser;
 use super::controls::Controls;
 use super::dom::{Listener, document, on, window};
 use super::files;
+use super::fingers::Fingers;
 use super::frames::Frames;
-use super::gallery::Gallery;
+use super::gallery::{Bookmark, Gallery};
 use super::keyboard;
 use super::mail::{self, Mail};
 use super::messages::Messages;
 use super::panel::Panel;
 use super::pointer::Pointer;
+use super::sheet::Sheet;
 use super::show::ShowChooser;
-use super::stage::{Drawn, Stage};
-use super::surroundings::{Surroundings, is_dark};
+use super::stage::Stage;
+use super::surroundings::Surroundings;
 use super::timeline::Timeline;
-use crate::draw::{DrawError, Renderer};
+use crate::draw::Renderer;
 use crate::plants;
-use crate::play::canvases::{Canvases, Loss};
+use crate::play::canvases::Canvases;
 use crate::play::figures::{Figure, asked_figure};
 use crate::play::gallery;
 use crate::play::page::{Effect, Event, Page};
 use crate::play::parameters::Parameter;
 use crate::play::protocol::BUILD;
 use crate::surface::unpack;
+use glam::Vec2;
 use std::cell::RefCell;
 use wasm_bindgen_futures::spawn_local;
-
-/// Seconds that a frame counts at most: after a pause (a hidden tab) time goes on where it stopped.
-const LONGEST_S: f64 = 0.1;
 
 thread_local! {
     static APP: RefCell<Option<App>> = const { RefCell::new(None) };
@@ -44,6 +45,8 @@ struct App {
     mail: Option<Mail>,
     /// The figures while they are open.
     gallery: Option<Gallery>,
+    /// Where the reader of the figures was when they were left.
+    bookmark: Bookmark,
     messages: Messages,
     chooser: Chooser,
     timeline: Timeline,
@@ -54,8 +57,9 @@ struct App {
     frames: Frames,
     canvases: Canvases,
     _pointer: Pointer,
-    _keyboard: [Listener; 2],
-    _link: Listener,
+    _fingers: Fingers,
+    _sheet: Sheet,
+    _listeners: [Listener; 4],
 }
 
 /// Starts the page: the worker and the graphics card at the same time.
@@ -63,9 +67,16 @@ pub fn start() {
     let fragment = fragment();
     let (page, effects) = Page::open(&fragment, plants::all());
     let stage = Stage::new();
+    let [stage_keys, keys] = keyboard::listen(stage.element());
+    let link = on(&window(), "hashchange", |_: web_sys::Event| with(App::open_address));
+    let print = on(&window(), "beforeprint", |_: web_sys::Event| {
+        let address = address();
+        with(|app| app.print(&address));
+    });
     let mut app = App {
         mail: None,
         gallery: None,
+        bookmark: Bookmark::default(),
         messages: Messages::new(),
         chooser: Chooser::new(plants::all()),
         timeline: Timeline::new(),
@@ -76,13 +87,14 @@ pub fn start() {
         frames: Frames::new(),
         canvases: Canvases::default(),
         _pointer: Pointer::new(stage.element()),
-        _keyboard: keyboard::listen(stage.element()),
-        _link: on(&window(), "hashchange", |_: web_sys::Event| with(App::open_address)),
+        _fingers: Fingers::new(),
+        _sheet: Sheet::new(),
+        _listeners: [stage_keys, keys, link, print],
         page,
         stage,
     };
     if let Some(number) = asked_figure(&fragment) {
-        app.gallery = Some(Gallery::open(number, &app.page.link()));
+        app.gallery = Some(Gallery::open(number, &app.page.link(), &app.bookmark));
     }
     app.act(effects);
     let calm = app.surroundings.less_motion();
@@ -148,6 +160,11 @@ pub fn resized() {
 /// What the frame shows changed without the page's doing: dark or light.
 pub fn repaint() {
     with(App::repaint);
+}
+
+/// Zooms by a factor, to the place of the plant that is nearest to a point: see `Orbit::zoomed`.
+pub fn zoom(factor: f32, at: Vec2) {
+    with(|app| app.zoom(factor, at));
 }
 
 /// Tells the figures that something has happened.
@@ -236,12 +253,15 @@ impl App {
     fn open_address(&mut self) {
         let fragment = fragment();
         let asked = asked_figure(&fragment);
+        if let Some(gallery) = &self.gallery {
+            self.bookmark = gallery.bookmark();
+        }
         if self.gallery.take().is_some() || asked.is_some() {
             // The figures are drawn on the page's stage.
             self.stage.forget();
         }
         if let Some(number) = asked {
-            self.gallery = Some(Gallery::open(number, &self.page.link()));
+            self.gallery = Some(Gallery::open(number, &self.page.link(), &self.bookmark));
         }
         self.hear(Event::OpenLink(fragment));
     }
@@ -287,6 +307,7 @@ impl App {
                 }
                 Effect::LoadMesh(name) => spawn_local(load_mesh(name)),
                 Effect::WriteLink(link) => write_link(&link),
+                Effect::PushLink(link) => push_link(&link),
                 Effect::Say(text) => {
                     document().set_title(&format!("{text} · Clonal Mosaic"));
                     self.messages.say(&text);
@@ -316,68 +337,6 @@ impl App {
     fn show_state(&self) {
         let state = self.gallery.as_ref().map_or(self.page.state(), Gallery::state);
         self.controls.show_state(state, &self.page, self.stage.backend());
-    }
-
-    fn frame(&mut self, now_ms: f64) {
-        let seconds = self.frames.begin(now_ms);
-        if self.gallery.is_some() {
-            return self.frame_of_figures();
-        }
-        if self.page.is_moving() {
-            let effects = self.page.hear(Event::Tick(seconds.min(LONGEST_S)));
-            self.act(effects);
-        }
-        let drawn = match self.stage.bring(&self.page, is_dark(), seconds) {
-            Ok(drawn) => drawn,
-            Err(DrawError::TooLarge { .. }) => {
-                self.messages.also(backend::TOO_LARGE);
-                Some(Drawn { sharp: true })
-            }
-            Err(_) => return self.lose(self.canvases.current()),
-        };
-        let sharp = drawn.is_none_or(|drawn| drawn.sharp);
-        if drawn.is_some() {
-            let effects = self.page.hear(Event::Drawn { sharp });
-            self.act(effects);
-        }
-        self.show();
-        if self.page.is_moving() || !sharp {
-            self.frames.ask();
-        } else {
-            self.frames.rest();
-        }
-    }
-
-    fn frame_of_figures(&mut self) {
-        if let Some(figure) = self.gallery.as_mut().and_then(Gallery::next_row) {
-            self.hear_figures(gallery::Event::Open(figure));
-        }
-        let Some(gallery) = &mut self.gallery else { return };
-        match gallery.show(&mut self.stage, is_dark()) {
-            Ok(true) => self.frames.ask(),
-            Ok(false) => self.frames.rest(),
-            Err(_) => return self.lose(self.canvases.current()),
-        }
-        self.show_state();
-    }
-
-    fn lose(&mut self, canvas: u32) {
-        if self.stage.is_still() {
-            return;
-        }
-        let loss = self.canvases.lose(canvas, js_sys::Date::now());
-        if loss == Loss::Old {
-            return;
-        }
-        self.stage.renew_canvas();
-        self.hear(Event::PictureLost);
-        if loss == Loss::GiveUp {
-            self.stage.stay_still();
-            self.messages.keep(backend::GIVEN_UP);
-        } else {
-            let number = self.canvases.current();
-            spawn_local(backend::start_renderer(self.stage.canvas(), number));
-        }
     }
 }
 

@@ -3,13 +3,12 @@
 
 use super::app;
 use super::dom::{
-    Listener, document, find, on, set_attribute, set_flag, set_style, set_text, set_value,
-    show_refusal, typed, watch_typing, window,
+    Listener, document, find, on, set_attribute, set_flag, set_style, set_text, window,
 };
+use super::typing;
 use crate::play::link::INDIVIDUAL;
 use crate::play::page::{Event, Page, State};
 use crate::play::words;
-use crate::tissue::DayCount;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Element, HtmlDialogElement, HtmlElement, HtmlInputElement};
 
@@ -22,8 +21,9 @@ pub struct Controls {
     name: Element,
     latin: Element,
     source: Element,
-    facts: [Element; 4],
-    share: HtmlElement,
+    facts: [Element; 5],
+    /// Bars of the shares of the cells and of the area.
+    bars: [HtmlElement; 2],
     individual: HtmlInputElement,
     refusal: Element,
     undo: Element,
@@ -34,11 +34,8 @@ pub struct Controls {
 impl Controls {
     pub fn new() -> Controls {
         let individual: HtmlInputElement = find("individual");
-        let mut listeners = Vec::from(watch_typing(&individual));
-        let field = individual.clone();
-        listeners.push(on(&individual, "change", move |_: web_sys::Event| {
-            app::send(Event::Individual(typed(&field)));
-        }));
+        let take = |number| app::send(Event::Individual(number));
+        let mut listeners = Vec::from(typing::watch(&individual, 1.0, take));
         listeners.push(click("another", another_individual));
         listeners.push(click("copy-link", copy_link));
         listeners.push(click("help", show_keys));
@@ -47,7 +44,6 @@ impl Controls {
         {
             listeners.push(click(id, move || app::send(event.clone())));
         }
-        listeners.push(click("sheet", draw_sheet));
         listeners.push(on(&find::<Element>("panel"), "submit", |event: web_sys::Event| {
             event.prevent_default();
         }));
@@ -62,8 +58,9 @@ impl Controls {
             name: find("name"),
             latin: find("latin"),
             source: find("source"),
-            facts: ["fact-day", "fact-cells", "fact-share", "fact-fingerprint"].map(find),
-            share: find("share"),
+            facts: ["fact-day", "fact-cells", "fact-share", "fact-area", "fact-fingerprint"]
+                .map(find),
+            bars: ["share", "area"].map(find),
             individual,
             refusal: find("individual-refusal"),
             undo: find("undo"),
@@ -78,21 +75,25 @@ impl Controls {
         let plant = scene.plant;
         set_text(&self.name, plant.name);
         set_text(&self.latin, plant.latin);
-        set_text(&self.source, plant.source);
-        set_value(&self.individual, scene.individual);
-        show_refusal(&self.individual, &self.refusal, page.refusal(INDIVIDUAL));
+        set_text(&self.source, page.source());
+        let refusal = page.refusal(INDIVIDUAL);
+        typing::show(&self.individual, scene.individual, &self.refusal, refusal);
         set_flag(&self.undo, "disabled", !page.history().can_undo());
         set_flag(&self.redo, "disabled", !page.history().can_redo());
         set_attribute(&self.stage, "aria-label", page.description());
-        let [day, cells, share, fingerprint] = &self.facts;
+        let [day, cells, share, area, fingerprint] = &self.facts;
         match &page.shown().day {
             Some(shown) => {
                 let count = shown.facts.count;
                 set_text(day, &shown.day.to_string());
                 set_text(cells, &words::grouped(count.cells));
                 set_text(share, &words::shares(plant, count));
+                set_text(area, &words::area_shares(plant, &shown.facts));
                 set_text(fingerprint, &shown.facts.fingerprint);
-                set_style(&self.share, "background", &bar(count, &scene.look.cells));
+                let colours = &scene.look.cells;
+                for (element, parts) in self.bars.iter().zip([count.by_type, shown.facts.areas]) {
+                    set_style(element, "background", &bar(parts, colours));
+                }
             }
             None => self.facts.iter().for_each(|fact| set_text(fact, "–")),
         }
@@ -128,14 +129,15 @@ impl Controls {
     }
 }
 
-/// The background of a bar in the colours of F, M and B, each as long as its share of the cells.
-fn bar(count: DayCount, colours: &[[f32; 3]; 3]) -> String {
-    let percent = |cells: u32| 100.0 * f64::from(cells) / f64::from(count.cells.max(1));
+/// The background of a bar in the colours of F, M and B, each as long as its share.
+fn bar(parts: [u32; 3], colours: &[[f32; 3]; 3]) -> String {
+    let whole = parts.iter().sum::<u32>().max(1);
+    let percent = |part: u32| 100.0 * f64::from(part) / f64::from(whole);
     let [f, b, m] = colours.map(|rgb| {
         let [r, g, b] = rgb.map(|x| (x * 255.0).round() as u8);
         format!("rgb({r} {g} {b})")
     });
-    let [to_f, to_m] = [count.by_type[0], count.by_type[0] + count.by_type[2]].map(percent);
+    let [to_f, to_m] = [parts[0], parts[0] + parts[2]].map(percent);
     format!("linear-gradient(90deg, {f} {to_f:.1}%, {m} 0 {to_m:.1}%, {b} 0)")
 }
 
@@ -171,14 +173,6 @@ pub fn copy_link() {
             app::tell(&format!("Copy this link: {address}"));
         }
     });
-}
-
-/// Draws the sheet of controls up or down; on wide screens they are always in sight.
-fn draw_sheet() {
-    let panel: Element = find("panel");
-    let open = !panel.has_attribute("data-open");
-    set_flag(&panel, "data-open", open);
-    set_attribute(&find::<Element>("sheet"), "aria-expanded", open);
 }
 
 /// Shows which keys do what.

@@ -7,8 +7,7 @@ use std::fmt::Display;
 use wasm_bindgen::convert::FromWasmAbi;
 use wasm_bindgen::prelude::*;
 use web_sys::{
-    Document, Element, EventTarget, HtmlElement, HtmlInputElement, HtmlOptionElement,
-    HtmlSelectElement, Window,
+    Document, Element, EventTarget, HtmlElement, HtmlOptionElement, HtmlSelectElement, Window,
 };
 
 pub fn window() -> Window {
@@ -73,35 +72,6 @@ pub fn set_flag(element: &Element, name: &str, on: bool) {
     let _ = element.toggle_attribute_with_force(name, on);
 }
 
-/// Sets the value of an input, unless the visitor is typing in it (see `watch_typing`).
-pub fn set_value(input: &HtmlInputElement, value: impl Display) {
-    let value = value.to_string();
-    if input.value() != value && !input.has_attribute("data-typing") {
-        input.set_value(&value);
-    }
-}
-
-/// Marks a number field while the visitor types in it.
-pub fn watch_typing(input: &HtmlInputElement) -> [Listener; 2] {
-    let (begun, ended) = (input.clone(), input.clone());
-    [
-        on(input, "input", move |_: web_sys::Event| set_flag(&begun, "data-typing", true)),
-        on(input, "blur", move |_: web_sys::Event| set_flag(&ended, "data-typing", false)),
-    ]
-}
-
-/// The number in a field whose typing is done; not a number if there is none.
-pub fn typed(input: &HtmlInputElement) -> f64 {
-    set_flag(input, "data-typing", false);
-    input.value_as_number()
-}
-
-/// Tells at a field why what was put in it cannot be, if so.
-pub fn show_refusal(input: &Element, place: &Element, why: Option<&str>) {
-    set_attribute(input, "aria-invalid", why.is_some());
-    set_text(place, why.unwrap_or_default());
-}
-
 /// Marks a picture with `data-missing` when its file is not there.
 pub fn mark_when_missing(picture: &Element) -> Listener {
     let missing = picture.clone();
@@ -112,6 +82,8 @@ pub fn mark_when_missing(picture: &Element) -> Listener {
 pub struct Listener {
     target: EventTarget,
     kind: &'static str,
+    /// Whether it hears before the elements within do.
+    is_first: bool,
     callback: JsValue,
     /// Keeps the Rust side of `callback` alive.
     _closure: Box<dyn std::any::Any>,
@@ -123,17 +95,52 @@ pub fn on<E: FromWasmAbi + 'static>(
     kind: &'static str,
     hear: impl FnMut(E) + 'static,
 ) -> Listener {
+    listen(target, kind, false, hear)
+}
+
+/// Listens to events of a kind before the elements within the target do.
+pub fn on_first<E: FromWasmAbi + 'static>(
+    target: &EventTarget,
+    kind: &'static str,
+    hear: impl FnMut(E) + 'static,
+) -> Listener {
+    listen(target, kind, true, hear)
+}
+
+fn listen<E: FromWasmAbi + 'static>(
+    target: &EventTarget,
+    kind: &'static str,
+    is_first: bool,
+    hear: impl FnMut(E) + 'static,
+) -> Listener {
     let closure = Closure::<dyn FnMut(E)>::new(hear);
     let callback = closure.as_ref().clone();
+    begin(target.clone(), kind, is_first, callback, Box::new(closure))
+}
+
+/// All of it that is the same for all kinds of events: bytes count.
+#[inline(never)]
+fn begin(
+    target: EventTarget,
+    kind: &'static str,
+    is_first: bool,
+    callback: JsValue,
+    closure: Box<dyn std::any::Any>,
+) -> Listener {
+    let function = callback.unchecked_ref();
     target
-        .add_event_listener_with_callback(kind, callback.unchecked_ref())
+        .add_event_listener_with_callback_and_bool(kind, function, is_first)
         .expect("any element can be listened to");
-    Listener { target: target.clone(), kind, callback, _closure: Box::new(closure) }
+    Listener { target, kind, is_first, callback, _closure: closure }
 }
 
 impl Drop for Listener {
     fn drop(&mut self) {
         let callback = self.callback.unchecked_ref();
-        let _ = self.target.remove_event_listener_with_callback(self.kind, callback);
+        let _ = self.target.remove_event_listener_with_callback_and_bool(
+            self.kind,
+            callback,
+            self.is_first,
+        );
     }
 }

@@ -10,12 +10,14 @@ use super::dom::{
 use super::files;
 use super::mail::Mail;
 use super::stage::Stage;
+use super::typing::set_value;
 use crate::draw::DrawError;
 use crate::plants;
 use crate::play::figures::{FIGURES, Figure};
-use crate::play::gallery::{self, Event, Row};
+use crate::play::gallery::{self, Days, Event, Row};
 use crate::play::page::{Effect, State};
 use crate::play::{Scene, link, words};
+use crate::tissue::Recipe;
 use wasm_bindgen::JsCast;
 use web_sys::{
     CanvasRenderingContext2d, Element, HtmlCanvasElement, HtmlElement, HtmlInputElement,
@@ -38,7 +40,17 @@ pub struct Gallery {
     /// Until when the scroll must rest.
     rests_ms: Option<f64>,
     state: State,
+    /// The figure that the address asks for.
+    asked: String,
     _scroll: Listener,
+}
+
+/// Where a reader of the figures was.
+#[derive(Clone, Debug, Default)]
+pub struct Bookmark {
+    days: Days,
+    asked: String,
+    scroll_px: i32,
 }
 
 struct RowView {
@@ -54,14 +66,16 @@ struct RowView {
 struct PictureView {
     element: Element,
     pen: CanvasRenderingContext2d,
+    label: Element,
     told: Element,
     /// The generation and day that are drawn.
     drawn: Option<(u32, u32)>,
 }
 
 impl Gallery {
-    /// Opens the figures at one of them. `back` is the link of the plant to go back to.
-    pub fn open(number: &str, back: &str) -> Gallery {
+    /// Opens the figures at one of them, or where the reader has been. `back` is the link of the plant to
+    /// go back to.
+    pub fn open(number: &str, back: &str, bookmark: &Bookmark) -> Gallery {
         let cores = window().navigator().hardware_concurrency() as usize;
         let root: HtmlElement = find("figures");
         let list: HtmlElement = find("figure-list");
@@ -74,14 +88,30 @@ impl Gallery {
         let count = cores.saturating_sub(1).clamp(1, MOST_WORKERS);
         let workers = (0..count).map(|_| None).collect();
         let asked = rows.iter().find(|row| row.figure.number == number);
+        let comes_back = asked.is_none() || number == bookmark.asked;
         // Scrolled by hand: to scroll a row into view would scroll the page around it, too.
-        root.set_scroll_top(asked.map_or(0, |row| row.element.offset_top()));
+        root.set_scroll_top(match asked {
+            Some(row) if !comes_back => row.element.offset_top(),
+            _ => bookmark.scroll_px,
+        });
         // The keys that scroll are to work at once.
         let _ = root.focus();
         let scroll = on(&root, "scroll", |_: web_sys::Event| app::figures_scrolled());
-        let brain = gallery::Gallery::new(plants::all(), count);
-        let (rests_ms, state) = (Some(0.0), State::Loading);
-        Gallery { brain, workers, root, rows, rests_ms, state, _scroll: scroll }
+        let brain = gallery::Gallery::new(plants::all(), count, bookmark.days.clone());
+        for row in &rows {
+            if let Some(day) = brain.day_of(row.figure) {
+                row.tell_day(day);
+            }
+        }
+        document().set_title("Figures · Clonal Mosaic");
+        let (rests_ms, state, asked) = (Some(0.0), State::Loading, number.to_string());
+        Gallery { brain, workers, root, rows, rests_ms, state, asked, _scroll: scroll }
+    }
+
+    /// Where the reader is.
+    pub fn bookmark(&self) -> Bookmark {
+        let (days, asked) = (self.brain.days().clone(), self.asked.clone());
+        Bookmark { days, asked, scroll_px: self.root.scroll_top() }
     }
 
     /// Takes an event; what the page must do is returned.
@@ -172,12 +202,8 @@ impl Gallery {
                 picture.drawn = Some((shown.generation, shown.day));
                 set_flag(&picture.element, "data-live", !too_large);
             }
-            let count = shown.facts.count;
-            let shares = words::shares(shown.scene.plant, count);
-            let cells = format!("{} cells, {shares}", words::grouped(count.cells));
-            // What stands above it is true of the picture's own day.
-            let is_own = shown.day == shown.scene.day;
-            let mut told = if is_own { cells } else { format!("Day {}: {cells}", shown.day) };
+            set_text(&picture.label, &row.label(k));
+            let mut told = row.told(k).unwrap_or_default();
             if too_large {
                 told += ". This graphics card cannot hold so many: a still picture.";
             }
@@ -194,6 +220,8 @@ impl Drop for Gallery {
     fn drop(&mut self) {
         set_flag(&self.root, "hidden", true);
         show_view(false);
+        // Until the plant is there and says what it is.
+        document().set_title("Clonal Mosaic");
         // The next key goes on from where the visitor came from.
         let _ = find::<HtmlElement>("to-figures").focus();
     }
@@ -211,14 +239,16 @@ impl RowView {
         let scene = |k: usize| link::read(figure.pictures[k].link, plants::all()).scene;
         let first: Scene = scene(0);
         set_text(&within(&element, ".latin"), first.plant.latin);
-        set_text(&within(&element, ".numbers"), &words::numbers(&first.recipe));
+        let recipes: Vec<Recipe> = (0..figure.pictures.len()).map(|k| scene(k).recipe).collect();
+        set_text(&within(&element, ".numbers"), &words::numbers(first.plant, &recipes));
         let row: HtmlElement = within(&element, ".pictures");
         set_style(&row, "--count", &figure.pictures.len().to_string());
         let mut listeners = Vec::new();
         let pictures = figure.pictures.iter().enumerate().map(|(k, picture)| {
             let tile = copy_of_template("picture-template");
             set_attribute(&tile, "href", format!("#{}", picture.link));
-            set_text(&within(&tile, ".label"), picture.label);
+            let label: Element = within(&tile, ".label");
+            set_text(&label, picture.label);
             let still: Element = within(&tile, "img");
             listeners.push(mark_when_missing(&still));
             let path = format!("posters/{}.avif", figure.poster(k));
@@ -227,7 +257,13 @@ impl RowView {
             let _ = row.append_child(&tile);
             let pen = canvas.get_context("2d").ok().flatten().expect("browsers draw in 2D");
             let told = within(&tile, ".told");
-            PictureView { element: tile.into(), pen: pen.unchecked_into(), told, drawn: None }
+            PictureView {
+                element: tile.into(),
+                pen: pen.unchecked_into(),
+                label,
+                told,
+                drawn: None,
+            }
         });
         let pictures: Vec<PictureView> = pictures.collect();
         let last_day = (0..pictures.len()).map(|k| scene(k).day).max().unwrap_or(0);
@@ -248,7 +284,7 @@ impl RowView {
     }
 
     fn tell_day(&self, day: u32) {
-        self.day.set_value(&day.to_string());
+        set_value(&self.day, day);
         set_text(&self.told_day, &format!("Day {day}"));
     }
 

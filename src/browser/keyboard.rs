@@ -1,5 +1,5 @@
-//! Keys. Single letters count only on the stage, so that they never fight a screen reader or a field;
-//! `?`, undo and redo count everywhere but in fields.
+//! Keys. Single letters count only on the stage and on sliders, so that they never fight a screen reader or
+//! a field; `?`, undo and redo count everywhere but where something is being typed.
 
 use super::dom::{Listener, on, window};
 use super::{app, controls};
@@ -19,24 +19,28 @@ const ZOOM: f32 = 1.2;
 pub fn listen(stage: &HtmlElement) -> [Listener; 2] {
     [
         on(stage, "keydown", |event: KeyboardEvent| {
-            if !(event.ctrl_key() || event.meta_key() || event.alt_key()) && on_stage(&event) {
+            if is_plain(&event) && (on_stage(&event) || on_plant(&event)) {
                 event.prevent_default();
                 event.stop_propagation();
             }
         }),
         on(&window(), "keydown", |event: KeyboardEvent| {
-            if !is_typed(&event) && anywhere(&event) {
+            let on_slider = is_plain(&event) && is_on(&event, "#playground input[type=range]");
+            if on_slider && on_plant(&event) || anywhere(&event) {
                 event.prevent_default();
             }
         }),
     ]
 }
 
-/// True if the key means something on the stage.
+fn is_plain(event: &KeyboardEvent) -> bool {
+    !(event.ctrl_key() || event.meta_key() || event.alt_key())
+}
+
+/// True if the key means something on the stage alone.
 fn on_stage(event: &KeyboardEvent) -> bool {
     let turn = |right_deg, up_deg| Event::Turn { right_deg, up_deg };
     let pan = |x, y| Event::Pan(Vec2::new(x, y));
-    let zoom = |factor| Event::Zoom { factor, at: Vec2::ZERO };
     let event = match (event.key().as_str(), event.shift_key()) {
         ("ArrowLeft", false) => turn(-TURN_DEG, 0.0),
         ("ArrowRight", false) => turn(TURN_DEG, 0.0),
@@ -46,31 +50,38 @@ fn on_stage(event: &KeyboardEvent) -> bool {
         ("ArrowRight", true) => pan(MOVE, 0.0),
         ("ArrowUp", true) => pan(0.0, MOVE),
         ("ArrowDown", true) => pan(0.0, -MOVE),
-        ("+" | "=", _) => zoom(ZOOM),
-        ("-", _) => zoom(1.0 / ZOOM),
-        ("0", _) => Event::ResetView,
-        (" ", _) => Event::PlayOrPause,
-        (".", _) => Event::StepDays(1),
-        (",", _) => Event::StepDays(-1),
         ("Home", _) => Event::Seek(0),
         ("End", _) => Event::Seek(u32::MAX),
-        ("n", _) => {
-            controls::another_individual();
-            return true;
-        }
-        ("c", _) => {
-            controls::copy_link();
-            return true;
-        }
         _ => return false,
     };
     app::send(event);
     true
 }
 
+/// True if the key means something on the stage and on sliders, which are let go of with the focus on them.
+fn on_plant(event: &KeyboardEvent) -> bool {
+    match event.key().as_str() {
+        "+" | "=" => app::zoom(ZOOM, Vec2::ZERO),
+        "-" => app::zoom(1.0 / ZOOM, Vec2::ZERO),
+        "0" => app::send(Event::ResetView),
+        " " => app::send(Event::PlayOrPause),
+        "." => app::send(Event::StepDays(1)),
+        "," => app::send(Event::StepDays(-1)),
+        "n" => controls::another_individual(),
+        "c" => controls::copy_link(),
+        _ => return false,
+    }
+    true
+}
+
 /// True if the key means something everywhere.
 fn anywhere(event: &KeyboardEvent) -> bool {
     let command = event.ctrl_key() || event.meta_key();
+    // What was typed and does not count yet is undone by the browser; what counts, by us: else the field
+    // would show the number of before beside the plant of now.
+    if is_on(event, "input[inputmode]") && (!command || is_on(event, "[data-typing]")) {
+        return false;
+    }
     match (event.key().to_ascii_lowercase().as_str(), command, event.shift_key()) {
         ("?", false, _) => controls::show_keys(),
         // Nobody would see what is undone.
@@ -82,8 +93,8 @@ fn anywhere(event: &KeyboardEvent) -> bool {
     true
 }
 
-/// Whether the key goes into a field in which one types.
-fn is_typed(event: &KeyboardEvent) -> bool {
+/// Whether the focus is on what a selector finds.
+fn is_on(event: &KeyboardEvent, selector: &str) -> bool {
     let target = event.target().and_then(|t| t.dyn_into::<Element>().ok());
-    target.is_some_and(|t| t.matches("input[type=number], input[type=text]").unwrap_or(false))
+    target.is_some_and(|t| t.matches(selector).unwrap_or(false))
 }

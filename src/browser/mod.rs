@@ -15,6 +15,8 @@ mod controls;
 mod dom;
 mod files;
 #[cfg(feature = "draw")]
+mod fingers;
+#[cfg(feature = "draw")]
 mod frames;
 #[cfg(feature = "draw")]
 mod gallery;
@@ -29,6 +31,8 @@ mod panel;
 #[cfg(feature = "draw")]
 mod pointer;
 #[cfg(feature = "draw")]
+mod sheet;
+#[cfg(feature = "draw")]
 mod show;
 #[cfg(feature = "draw")]
 mod stage;
@@ -36,6 +40,8 @@ mod stage;
 mod surroundings;
 #[cfg(feature = "draw")]
 mod timeline;
+#[cfg(feature = "draw")]
+mod typing;
 #[cfg(feature = "draw")]
 mod worker;
 

@@ -1,10 +1,8 @@
 //! The panel of parameters, made from their table.
 
 use super::app;
-use super::dom::{
-    Listener, copy_of_template, find, on, set_attribute, set_flag, set_text, set_value,
-    show_refusal, typed, watch_typing, within,
-};
+use super::dom::{Listener, copy_of_template, find, on, set_attribute, set_flag, set_text, within};
+use super::typing::{self, set_value};
 use crate::play::page::{Event, Page};
 use crate::play::parameters::{PARAMETERS, Parameter};
 use web_sys::{Element, HtmlElement, HtmlInputElement, HtmlOptionElement, HtmlSelectElement};
@@ -90,7 +88,7 @@ impl Row {
         if renamed {
             set_flag(&self.element, "hidden", !parameter.is_for(scene.plant));
             let label = parameter.label(scene.plant);
-            set_text(&within(&self.element, "label"), &label);
+            set_text(&within(&self.element, "label .name"), &label);
             set_attribute(&self.reset, "aria-label", format!("{label}: back to the preset"));
             set_text(&within(&self.element, ".effect"), &parameter.effect(scene.plant));
             if let Input::Number { number, .. } = &self.input {
@@ -100,9 +98,11 @@ impl Row {
         let value = parameter.get(scene);
         match &self.input {
             Input::Number { range, number, refusal } => {
-                set_value(range, value);
-                set_value(number, value);
-                show_refusal(number, refusal, page.refusal(parameter.key));
+                set_value(range, parameter.position(value));
+                set_attribute(range, "aria-valuetext", parameter.said(value));
+                typing::show(number, value, refusal, page.refusal(parameter.key));
+                let remark = page.remark(parameter.key);
+                set_text(&within(&self.element, ".remark"), &remark.unwrap_or_default());
             }
             Input::Choice(select) => select.set_selected_index(value as i32),
         }
@@ -120,25 +120,19 @@ impl Input {
         listeners: &mut Vec<Listener>,
     ) -> Input {
         let range: HtmlInputElement = within(element, "input[type=range]");
-        let number: HtmlInputElement = within(element, "input[type=number]");
-        let [least, greatest] = parameter.range;
-        for input in [&range, &number] {
-            set_attribute(input, "min", least);
-            set_attribute(input, "max", greatest);
+        let number: HtmlInputElement = within(element, "input[inputmode]");
+        let [least, greatest, step] = parameter.track();
+        for (name, value) in [("min", least), ("max", greatest), ("step", step)] {
+            set_attribute(&range, name, value);
         }
-        // Sliders count their steps from 0, so that they meet round numbers.
-        set_attribute(&range, "min", (least / parameter.step).floor() * parameter.step);
-        set_attribute(&range, "step", parameter.step);
-        set_attribute(&number, "step", "any");
+        set_text(&within(element, ".symbol"), parameter.symbol);
         set_text(&within(element, ".unit"), parameter.unit);
-        let (hand, field) = (range.clone(), number.clone());
+        let hand = range.clone();
         listeners.push(on(&range, "input", move |_: web_sys::Event| {
-            change(parameter, hand.value_as_number().max(least));
+            change(parameter, parameter.at(hand.value_as_number()));
         }));
-        listeners.push(on(&number, "change", move |_: web_sys::Event| {
-            change(parameter, typed(&field));
-        }));
-        listeners.extend(watch_typing(&number));
+        let take = move |value| change(parameter, value);
+        listeners.extend(typing::watch(&number, parameter.step, take));
         Input::Number { range, number, refusal: within(element, ".refusal") }
     }
 

@@ -61,7 +61,7 @@ impl Pointer {
                 let rate = if event.ctrl_key() { PINCH_ZOOM } else { WHEEL_ZOOM };
                 let factor = (-pixels * rate).exp() as f32;
                 let at = in_square(place(&event), &wheeled);
-                app::send(Event::Zoom { factor, at });
+                app::zoom(factor, at);
             }),
             on(stage, "contextmenu", |event: MouseEvent| event.prevent_default()),
         ];
@@ -85,7 +85,7 @@ fn drag(down: &mut [Down], event: &PointerEvent, stage: &HtmlElement) {
         [..] => {
             let other = down[1 - moved].at;
             let factor = (to.distance(other).max(1.0)) / (from.distance(other).max(1.0));
-            app::send(Event::Zoom { factor, at: in_square((to + other) * 0.5, stage) });
+            app::zoom(factor, in_square((to + other) * 0.5, stage));
             app::send(Event::Pan(Vec2::new(by.x, -by.y) * 0.5));
         }
     }

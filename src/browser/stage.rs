@@ -10,8 +10,10 @@ use crate::play::camera::{Camera, Sphere};
 use crate::play::detail::Detail;
 use crate::play::gallery::ShownPicture;
 use crate::play::handed::{Handed, Part, Wanted};
+use crate::play::outline::Outline;
 use crate::play::page::{Page, Shown};
 use crate::surface::Body;
+use glam::Vec2;
 use wasm_bindgen::prelude::*;
 use web_sys::{
     CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, HtmlImageElement, ResizeObserver,
@@ -19,6 +21,8 @@ use web_sys::{
 
 /// Device pixels to a CSS pixel at most: more are not seen and cost four times the work.
 const MOST_PIXEL_RATIO: f64 = 2.0;
+/// Pixels of a side of the printed picture: 16 cm at 250 to an inch.
+const PRINTED_PX: u32 = 1600;
 
 pub struct Stage {
     element: HtmlElement,
@@ -178,29 +182,27 @@ impl Stage {
     }
 
     fn draw(&mut self, page: &Page, dark: bool, seconds: f64) -> Result<Option<Drawn>, DrawError> {
-        let (shown, run, scene) = (page.shown(), page.run(), page.scene());
-        let day = shown.day.as_ref().filter(|_| shown.generation == run.generation);
-        let cells = day.and_then(|day| {
-            let (count, lists) = (day.facts.count.cells, run.lists(day.day)?);
-            Some(Cells { generation: run.generation, day: day.day, count, lists })
-        });
-        let picture = Picture {
-            plant: scene.plant,
-            look: &scene.look,
-            show: scene.show,
-            mesh: page.mesh(),
-            cells,
-            camera: page.camera(),
-            moment: shown.day.as_ref().map_or(1.0, |day| day.moment),
-            size_px: self.size_px,
-        };
+        let picture = Picture::of(page, self.size_px);
         if self.handed.refuses(&picture.wanted()) {
             return Ok(Some(Drawn { sharp: true }));
         }
         let drawn = self.portray(&picture, dark, Some(seconds))?;
         // Once more: with these cells the live picture may take the poster's place.
-        self.show_poster(shown);
+        self.show_poster(page.shown());
         Ok(drawn)
+    }
+
+    /// Draws what is shown, large and on paper, and copies it to the canvas of `pen`. False and errors as
+    /// in `copy`.
+    pub fn print(
+        &mut self,
+        page: &Page,
+        pen: &CanvasRenderingContext2d,
+    ) -> Result<bool, DrawError> {
+        let Some(canvas) = pen.canvas() else { return Ok(false) };
+        canvas.set_width(PRINTED_PX);
+        canvas.set_height(PRINTED_PX);
+        self.copy_picture(&Picture::of(page, (PRINTED_PX, PRINTED_PX)), false, pen)
     }
 
     /// Draws a picture of a figure and copies it to the canvas of `pen`, as large as that is. False
@@ -225,14 +227,30 @@ impl Stage {
             moment: 1.0,
             size_px: (canvas.width(), canvas.height()),
         };
+        self.copy_picture(&picture, dark, pen)
+    }
+
+    fn copy_picture(
+        &mut self,
+        picture: &Picture,
+        dark: bool,
+        pen: &CanvasRenderingContext2d,
+    ) -> Result<bool, DrawError> {
         self.frame = None;
-        let drawn = self.portray(&picture, dark, None)?.is_some() && self.frame.is_some();
+        let drawn = self.portray(picture, dark, None)?.is_some() && self.frame.take().is_some();
         if drawn {
-            pen.clear_rect(0.0, 0.0, f64::from(canvas.width()), f64::from(canvas.height()));
+            let (width, height) = picture.size_px;
+            pen.clear_rect(0.0, 0.0, f64::from(width), f64::from(height));
             // Fails only for an empty picture.
             let _ = pen.draw_image_with_html_canvas_element(&self.canvas, 0.0, 0.0);
         }
         Ok(drawn)
+    }
+
+    /// The place of the plant that is nearest to a point of the stage, for a camera: see `Outline`.
+    pub fn nearest(&self, camera: &Camera, at: Vec2) -> Vec2 {
+        let outline = self.body.as_ref().map(|(_, on)| on.outline(camera));
+        outline.map_or(at, |outline| outline.nearest(at))
     }
 
     /// Forgets what is on the stage: something else was drawn there.
@@ -291,6 +309,9 @@ impl Stage {
             renderer.draw(&frame)?;
             self.frame = Some(frame);
             self.frame_px = size_px;
+            let half = Vec2::new(width as f32, height as f32) / width.min(height) as f32;
+            let is_empty = !on_stage.outline(picture.camera).is_in_sight(half);
+            set_flag(&self.element, "data-empty", is_empty);
         }
         Ok(Some(Drawn { sharp: size_px == picture.size_px }))
     }
@@ -315,7 +336,27 @@ impl Drop for Stage {
     }
 }
 
-impl Picture<'_> {
+impl<'a> Picture<'a> {
+    /// What the page shows.
+    fn of(page: &'a Page, size_px: (u32, u32)) -> Picture<'a> {
+        let (shown, run, scene) = (page.shown(), page.run(), page.scene());
+        let day = shown.day.as_ref().filter(|_| shown.generation == run.generation);
+        let cells = day.and_then(|day| {
+            let (count, lists) = (day.facts.count.cells, run.lists(day.day)?);
+            Some(Cells { generation: run.generation, day: day.day, count, lists })
+        });
+        Picture {
+            plant: scene.plant,
+            look: &scene.look,
+            show: scene.show,
+            mesh: page.mesh(),
+            cells,
+            camera: page.camera(),
+            moment: shown.day.as_ref().map_or(1.0, |day| day.moment),
+            size_px,
+        }
+    }
+
     fn wanted(&self) -> Wanted<'_> {
         let cells = self.cells.as_ref().map(|cells| (cells.generation, cells.day));
         Wanted { plant: self.plant.key, look: self.look, show: self.show, cells }
@@ -345,5 +386,9 @@ impl OnStage {
         let body = (plant.body)(mesh)?;
         let (geometry, sphere) = (Geometry::new(&body), Sphere::around(&body));
         Ok(OnStage { body, geometry, sphere })
+    }
+
+    fn outline<'a>(&'a self, camera: &'a Camera) -> Outline<'a> {
+        Outline { body: &self.body, sphere: &self.sphere, camera }
     }
 }

@@ -1,18 +1,18 @@
 //! The time line: the slider of days with what has grown of it, play, steps, speed and typed day.
 
 use super::app;
-use super::dom::{
-    Listener, find, offer, on, set_attribute, set_flag, set_text, set_value, typed, watch_typing,
-};
-use crate::play::page::{Event, Page, State};
+use super::dom::{Listener, find, offer, on, set_attribute, set_flag, set_text};
+use super::typing::{self, set_value};
+use crate::play::link::DAY;
+use crate::play::page::{Event, Page};
 use crate::play::playhead::SPEEDS;
-use crate::play::words;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlInputElement, HtmlSelectElement, KeyboardEvent};
 
 pub struct Timeline {
     slider: HtmlInputElement,
     number: HtmlInputElement,
+    refusal: Element,
     grown: Element,
     last_day: Element,
     play: Element,
@@ -37,21 +37,7 @@ impl Timeline {
         }));
         listeners.push(on(&slider, "change", |_: web_sys::Event| app::send(Event::LetGo)));
         listeners.push(on(&slider, "keydown", step_by_key));
-        listeners.extend(watch_typing(&number));
-        let field = number.clone();
-        listeners.push(on(&number, "change", move |_: web_sys::Event| {
-            let (day, last) = (typed(&field), field.max());
-            let is_day = day.fract() == 0.0 && day >= 0.0 && last.parse().is_ok_and(|l| day <= l);
-            // The nearest day there is; without a number the field goes back to the wished one.
-            if day.is_finite() {
-                app::send(Event::Seek(day.round().max(0.0) as u32));
-            } else {
-                app::repaint();
-            }
-            if !is_day {
-                app::tell(&format!("A day is a whole number from 0 to {last}."));
-            }
-        }));
+        listeners.extend(typing::watch(&number, 1.0, |day| app::send(Event::Day(day))));
         for (id, event) in [
             ("first", Event::Seek(0)),
             ("back", Event::StepDays(-1)),
@@ -76,6 +62,7 @@ impl Timeline {
         Timeline {
             slider,
             number,
+            refusal: find("day-refusal"),
             grown: find("grown"),
             last_day: find("last-day"),
             play: find("play"),
@@ -89,7 +76,7 @@ impl Timeline {
         let last_day = run.last_day();
         let grown = run.newest().unwrap_or(0);
         let wished = playhead.wished_day();
-        for element in [self.slider.as_ref(), self.number.as_ref(), &self.grown] {
+        for element in [self.slider.as_ref(), &self.grown] {
             set_attribute(element, "max", last_day);
         }
         set_attribute(&self.grown, "value", grown);
@@ -103,24 +90,15 @@ impl Timeline {
         }
         let shown = page.shown().day.as_ref().map_or(wished, |d| d.day);
         set_attribute(&self.slider, "aria-valuetext", format!("day {shown}"));
-        set_value(&self.number, if playhead.is_playing() { shown } else { wished });
+        let day = if playhead.is_playing() { shown } else { wished };
+        typing::show(&self.number, day, &self.refusal, page.refusal(DAY));
         set_attribute(
             &self.play,
             "aria-label",
             if playhead.is_playing() { "Pause" } else { "Play" },
         );
         set_flag(&self.play, "data-playing", playhead.is_playing());
-        let waits = page.state() != State::Error && wished > grown && !playhead.is_playing();
-        let notice = match run.newest() {
-            None if page.state() != State::Error => "Sowing the first cells…".to_string(),
-            Some(grown) if waits => {
-                let cells = run.facts(grown).map_or(0, |f| f.count.cells);
-                let cells = words::grouped(cells);
-                format!("Day {wished} is growing: here is day {grown}, {cells} cells")
-            }
-            _ => String::new(),
-        };
-        set_text(&self.notice, &notice);
+        set_text(&self.notice, &page.notice());
     }
 }
 

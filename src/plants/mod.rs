@@ -84,6 +84,11 @@ impl Plant {
         })
     }
 
+    /// Whether there is something to see of it from below: it stands in no pot or bed.
+    pub fn has_underside(&self) -> bool {
+        self.look.bare.iter().all(|(material, ..)| *material != "soil")
+    }
+
     /// Its control images, painted anew, in the order in which they are asked.
     pub fn controls(&self) -> Vec<Control> {
         self.controls.map(|paint| paint()).unwrap_or_default()

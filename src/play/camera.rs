@@ -1,7 +1,7 @@
 //! The orbit camera: turns around the middle of a body, and fits the body's bounding sphere into the
 //! centred square of the picture, so that a square still picture coincides with the live one.
 
-use crate::plants::View;
+use crate::plants::{Plant, View};
 use crate::surface::Body;
 use glam::camera::rh::{proj::directx::perspective, view::look_at_mat4};
 use glam::{Mat4, Vec2, Vec3};
@@ -11,8 +11,10 @@ use glam::{Mat4, Vec2, Vec3};
 const FIELD_DEG: f32 = 24.0;
 /// The least zoom leaves the plant a third of the picture, the greatest shows single cells.
 const ZOOM: [f32; 2] = [0.4, 40.0];
-/// Below the horizon the ground would hide the plant; at 90 degrees "up" loses its meaning.
-const ELEVATION_DEG: [f32; 2] = [-8.0, 88.0];
+/// At 90 degrees "up" loses its meaning, and far below the horizon a fruit shows where it lay.
+const ELEVATION_DEG: [f32; 2] = [-60.0, 88.0];
+/// The least for a plant whose pot or bed would hide it from below.
+const LOWEST_IN_SOIL_DEG: f32 = -8.0;
 /// How far the middle may be moved aside, in bounding radii: the plant's rim stays in reach.
 const PAN_LIMIT: f32 = 1.2;
 /// Seconds in which the shown orbit does 63% of its way to the wished one. Longer feels heavy,
@@ -87,6 +89,16 @@ impl Orbit {
         Orbit { pan: self.pan - by * half_square() / self.zoom, ..self }.limited()
     }
 
+    /// The lowest elevation from which there is something of a plant to see.
+    pub fn lowest_deg(plant: &Plant) -> f32 {
+        if plant.has_underside() { ELEVATION_DEG[0] } else { LOWEST_IN_SOIL_DEG }
+    }
+
+    /// The same orbit, or the lowest one that is allowed.
+    pub fn above(self, lowest_deg: f32) -> Orbit {
+        Orbit { elevation_deg: self.elevation_deg.max(lowest_deg), ..self }
+    }
+
     /// The same orbit within the limits; the azimuth in `0..360`.
     pub fn limited(self) -> Orbit {
         Orbit {
@@ -154,6 +166,11 @@ impl Camera {
         if near {
             self.jump();
         }
+    }
+
+    /// The one that shows the wished orbit.
+    pub fn arrived(&self) -> Camera {
+        Camera::new(self.wished)
     }
 
     /// Where the eye stands.
@@ -278,6 +295,20 @@ mod tests {
             frames += 1;
         }
         assert!((5..60).contains(&frames), "{frames}");
+    }
+
+    #[test]
+    fn only_plants_with_an_underside_are_seen_from_below() {
+        let low = |key| {
+            let plant = crate::plants::find(key).unwrap();
+            orbit().turned(0.0, -500.0).above(Orbit::lowest_deg(plant)).elevation_deg
+        };
+        for key in ["mushroom", "amanita", "watermelon", "long-watermelon", "square-watermelon"] {
+            assert_eq!(low(key), -60.0, "{key}");
+        }
+        for key in ["croton", "cactus", "philodendron", "sansevieria"] {
+            assert_eq!(low(key), -8.0, "{key}");
+        }
     }
 
     #[test]

@@ -27,6 +27,8 @@ pub enum Event {
     Show(Show),
     /// A day is wished.
     Seek(u32),
+    /// A day as it was typed.
+    Day(f64),
     /// Days on (or back) from the wished one.
     StepDays(i32),
     /// The visitor's hand is on the time line, at a time in days.
@@ -94,8 +96,10 @@ pub enum Effect {
     LoadMesh(&'static str),
     /// The worker is of another build: load the page again, once.
     Reload,
-    /// The address of what is shown, without `#`.
+    /// The address of what is shown, without `#`, in the place of the one before.
     WriteLink(String),
+    /// The same, but the one before stays in the browser's history.
+    PushLink(String),
     /// For the live region.
     Say(String),
     /// Messages for the visitor, to be dismissed by hand; they replace older ones.

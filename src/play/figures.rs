@@ -2,6 +2,8 @@
 //! Visuais do Reino Vegetal*, UFRGS 2013, Table 4.1), picture by picture, as links of the
 //! playground.
 
+use super::{Scene, link};
+
 /// A figure of the thesis: one row of its Table 4.1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Figure {
@@ -23,7 +25,7 @@ impl Figure {
 /// A picture of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// What tells it from its neighbours: `day 5`, `individual 2`, `p_F 0.1%`.
+    /// What tells it from its neighbours: `day 5`, `individual 2`, `yellow share p_F 0.1%`.
     pub label: &'static str,
     /// The scene, as `link::write` writes it.
     pub link: &'static str,
@@ -73,11 +75,11 @@ pub const FIGURES: &[Figure] = &[
                   ten. Both colours divide at the same pace, so the last day has the mixture of \
                   the first.",
         pictures: &[
-            picture("p_F 0.9", "croton-shrub?v=1&s=1&d=30&pf=0.9"),
-            picture("p_F 0.7", "croton-shrub?v=1&s=1&d=30&pf=0.7"),
-            picture("p_F 0.5", "croton-shrub?v=1&s=1&d=30"),
-            picture("p_F 0.2", "croton-shrub?v=1&s=1&d=30&pf=0.2"),
-            picture("p_F 0.1", "croton-shrub?v=1&s=1&d=30&pf=0.1"),
+            picture("yellow share p_F 0.9", "croton-shrub?v=1&s=1&d=30&pf=0.9"),
+            picture("yellow share p_F 0.7", "croton-shrub?v=1&s=1&d=30&pf=0.7"),
+            picture("yellow share p_F 0.5", "croton-shrub?v=1&s=1&d=30"),
+            picture("yellow share p_F 0.2", "croton-shrub?v=1&s=1&d=30&pf=0.2"),
+            picture("yellow share p_F 0.1", "croton-shrub?v=1&s=1&d=30&pf=0.1"),
         ],
     },
     Figure {
@@ -98,9 +100,9 @@ pub const FIGURES: &[Figure] = &[
                   yellow, from one to three in a thousand, the more blotches there are, and some \
                   run together.",
         pictures: &[
-            picture("p_F 0.1%", "cactus?v=1&s=1&d=25&pf=0.001"),
-            picture("p_F 0.2%", "cactus?v=1&s=1&d=25&pf=0.002"),
-            picture("p_F 0.3%", "cactus?v=1&s=1&d=25"),
+            picture("yellow share p_F 0.1%", "cactus?v=1&s=1&d=25&pf=0.001"),
+            picture("yellow share p_F 0.2%", "cactus?v=1&s=1&d=25&pf=0.002"),
+            picture("yellow share p_F 0.3%", "cactus?v=1&s=1&d=25"),
         ],
     },
     Figure {
@@ -108,7 +110,7 @@ pub const FIGURES: &[Figure] = &[
         title: "Rounder blotches",
         caption: "The same cactus, but its yellow cells cling together more: they push each other \
                   less, and the blotches draw in and become rounder.",
-        pictures: &[picture("adhesion FF 0.7", "cactus?v=1&s=1&d=25&ff=0.7")],
+        pictures: &[picture("adhesion α_FF 0.7", "cactus?v=1&s=1&d=25&ff=0.7")],
     },
     Figure {
         number: "4.10",
@@ -157,9 +159,9 @@ pub const FIGURES: &[Figure] = &[
         caption: "Only the pace of the red cells differs. When they divide every 6 days they crowd \
                   the white warts, at 8 days both keep pace, and at 20 days white spreads.",
         pictures: &[
-            picture("D_F 6 days", "mushroom?v=1&s=1&d=20&df=6"),
-            picture("D_F 8 days", "mushroom?v=1&s=1&d=20"),
-            picture("D_F 20 days", "mushroom?v=1&s=1&d=20&df=20"),
+            picture("red divides: D_F 6 days", "mushroom?v=1&s=1&d=20&df=6"),
+            picture("red divides: D_F 8 days", "mushroom?v=1&s=1&d=20"),
+            picture("red divides: D_F 20 days", "mushroom?v=1&s=1&d=20&df=20"),
         ],
     },
     Figure {
@@ -169,9 +171,9 @@ pub const FIGURES: &[Figure] = &[
                   times their spacing. The farther, the more room the crowded dark cells win, and \
                   the stripes widen.",
         pictures: &[
-            picture("ω_r 1", "long-watermelon?v=1&s=1&d=20"),
-            picture("ω_r 2", "long-watermelon?v=1&s=1&d=20&rs=2"),
-            picture("ω_r 3", "long-watermelon?v=1&s=1&d=20&rs=3"),
+            picture("reach ω_r 1", "long-watermelon?v=1&s=1&d=20"),
+            picture("reach ω_r 2", "long-watermelon?v=1&s=1&d=20&rs=2"),
+            picture("reach ω_r 3", "long-watermelon?v=1&s=1&d=20&rs=3"),
         ],
     },
     Figure {
@@ -202,6 +204,19 @@ pub fn find(number: &str) -> Option<&'static Figure> {
     FIGURES.iter().find(|figure| figure.number == number)
 }
 
+/// The figure of whose pictures one has the recipe and the look of a scene.
+pub fn showing(scene: &Scene) -> Option<&'static Figure> {
+    let plants = std::slice::from_ref(scene.plant);
+    let is_shown = |picture: &Picture| {
+        let of_plant = picture.link.split('?').next() == Some(scene.plant.key);
+        of_plant && {
+            let other = link::read(picture.link, plants).scene;
+            other.recipe == scene.recipe && other.look == scene.look && other.noise == scene.noise
+        }
+    };
+    FIGURES.iter().find(|figure| figure.pictures.iter().any(is_shown))
+}
+
 /// The number of the figure that the fragment of an address asks for, empty for the first; None if
 /// it asks for a plant.
 pub fn asked_figure(fragment: &str) -> Option<&str> {
@@ -213,7 +228,6 @@ pub fn asked_figure(fragment: &str) -> Option<&str> {
 mod tests {
     use super::*;
     use crate::plants;
-    use crate::play::{Scene, link};
     use crate::tissue::Recipe;
 
     fn scene(picture: &Picture) -> Scene {

@@ -36,9 +36,13 @@ pub struct Gallery {
     hands: Vec<Hand>,
     meshes: Meshes,
     row: Option<Row>,
+    days: Days,
     /// Counts the growths of all rows.
     generation: u32,
 }
+
+/// The days to which readers have pulled figures, by their numbers.
+pub type Days = Vec<(&'static str, u32)>;
 
 /// The row that grows.
 pub struct Row {
@@ -66,10 +70,20 @@ pub struct ShownPicture<'a> {
 
 impl Gallery {
     /// `workers`: how many there will be at most. They are started as rows need them and asked for
-    /// nothing before they said hello.
-    pub fn new(plants: &'static [Plant], workers: usize) -> Gallery {
+    /// nothing before they said hello. `days` are those of figures that were open before.
+    pub fn new(plants: &'static [Plant], workers: usize, days: Days) -> Gallery {
         let hands = (0..workers).map(|_| Hand::default()).collect();
-        Gallery { plants, hands, meshes: Meshes::default(), row: None, generation: 0 }
+        Gallery { plants, hands, meshes: Meshes::default(), row: None, days, generation: 0 }
+    }
+
+    /// The days to which rows were pulled.
+    pub fn days(&self) -> &Days {
+        &self.days
+    }
+
+    /// The day to which a figure was pulled, if it was.
+    pub fn day_of(&self, figure: &Figure) -> Option<u32> {
+        self.days.iter().find(|(number, _)| *number == figure.number).map(|(_, day)| *day)
     }
 
     /// The row that grows.
@@ -126,14 +140,17 @@ impl Gallery {
                 effects.extend(hand.start().map(|start| (number, start)));
             }
         }
-        let day = pictures.iter().map(|picture| picture.day).max().unwrap_or(0);
-        self.row = Some(Row { figure, pictures, day, runs, lost: Vec::new(), trouble: None });
+        let mut row = Row { figure, pictures, day: 0, runs, lost: Vec::new(), trouble: None };
+        row.day = self.day_of(figure).unwrap_or(row.last_day());
+        self.row = Some(row);
     }
 
     /// A row whose mesh could not be had is tried again.
     fn wish_day(&mut self, day: u32) {
         let Some(row) = &mut self.row else { return };
         row.day = day.min(row.last_day());
+        self.days.retain(|(number, _)| *number != row.figure.number);
+        self.days.push((row.figure.number, row.day));
         if self.meshes.has_failed(row.plant().mesh.name) {
             row.trouble = None;
             row.runs.iter_mut().for_each(|run| run.end = None);
@@ -232,6 +249,29 @@ impl Row {
         Some(ShownPicture { scene, generation: run.generation, day, facts, lists })
     }
 
+    /// What a picture is called: where its own day tells it from its neighbours, by the day that it shows.
+    pub fn label(&self, picture: usize) -> String {
+        let (label, own) = (self.figure.pictures[picture].label, self.pictures[picture].day);
+        match self.shown(picture) {
+            Some(shown) if shown.day < own && names_day(label, own) => {
+                format!("day {} of {own}", shown.day)
+            }
+            _ => label.to_string(),
+        }
+    }
+
+    /// What is told below a picture: its cells, and of which day they are where nothing else says so.
+    pub fn told(&self, picture: usize) -> Option<String> {
+        let shown = self.shown(picture)?;
+        let (count, own) = (shown.facts.count, shown.scene.day);
+        let shares = words::shares(shown.scene.plant, count);
+        let cells = format!("{} cells, {shares}", words::grouped(count.cells));
+        let says_day = names_day(self.figure.pictures[picture].label, own);
+        // What stands above it is true of the picture's own day.
+        let is_clear = says_day || shown.day == own;
+        Some(if is_clear { cells } else { format!("Day {}: {cells}", shown.day) })
+    }
+
     /// The link of what a picture is to show.
     pub fn link(&self, picture: usize) -> String {
         let scene = &self.pictures[picture];
@@ -276,6 +316,11 @@ impl Row {
         self.runs.iter_mut().for_each(|run| run.end = Some(End::Failed));
         self.trouble = Some(why);
     }
+}
+
+/// Whether a label is the name of a day.
+fn names_day(label: &str, day: u32) -> bool {
+    label == format!("day {day}")
 }
 
 #[cfg(test)]

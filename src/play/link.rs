@@ -6,6 +6,7 @@
 use super::camera::Orbit;
 use super::parameters::{PARAMETERS, Parameter};
 use super::scene::{FIRST_INDIVIDUAL, Scene};
+use super::typed;
 use crate::plants::{Plant, Show};
 use crate::surface::quoted;
 use glam::Vec2;
@@ -17,6 +18,9 @@ pub const VERSION: u32 = 1;
 
 /// The word for the number of the individual.
 pub const INDIVIDUAL: &str = "s";
+
+/// The word for the wished day.
+pub const DAY: &str = "d";
 
 /// A link that was read: what could be loaded, and in plain words what was left out and why.
 #[derive(Clone, Debug)]
@@ -116,7 +120,7 @@ fn known_words<'a>(query: &'a str, left_out: &mut Vec<String>) -> Vec<Said<'a>> 
 }
 
 /// The words that are no parameters.
-const WORDS: [&str; 6] = ["v", INDIVIDUAL, "d", "noise", "show", "view"];
+const WORDS: [&str; 6] = ["v", INDIVIDUAL, DAY, "noise", "show", "view"];
 
 /// Reads the words that are no parameters, and returns the day that is wished.
 fn read_words(scene: &mut Scene, words: &[Said], left_out: &mut Vec<String>) -> Option<u32> {
@@ -125,10 +129,12 @@ fn read_words(scene: &mut Scene, words: &[Said], left_out: &mut Vec<String>) -> 
         let result = match word {
             "v" => check_version(value),
             INDIVIDUAL => whole(value).map(|n| scene.individual = n),
-            "d" => day(value).map(|n| wished_day = Some(n)),
+            DAY => day(value).map(|n| wished_day = Some(n)),
             "noise" => switch(value).map(|on| scene.noise = on),
             "show" => read_show(scene.plant, value).map(|show| scene.show = show),
-            "view" => read_orbit(value).map(|orbit| scene.orbit = orbit),
+            "view" => read_orbit(value).map(|orbit| {
+                scene.orbit = orbit.above(Orbit::lowest_deg(scene.plant));
+            }),
             _ => Ok(()),
         };
         if let Err(why) = result {
@@ -196,10 +202,7 @@ fn read_orbit(value: &str) -> Result<Orbit, String> {
 }
 
 fn number(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(x) if x.is_finite() => Ok(x),
-        _ => Err(format!("{} is not a number", shown(text))),
-    }
+    typed::plain(text).ok_or_else(|| format!("{} is not a number", shown(text)))
 }
 
 fn switch(text: &str) -> Result<bool, String> {
@@ -213,7 +216,7 @@ fn switch(text: &str) -> Result<bool, String> {
 /// The number of an individual; in an error, what it must be.
 pub fn individual(number: f64) -> Result<u32, String> {
     let is_whole = number.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&number);
-    is_whole.then_some(number as u32).ok_or_else(not_whole)
+    is_whole.then_some(number as u32).ok_or_else(|| not_whole(f64::from(u32::MAX)))
 }
 
 fn day(text: &str) -> Result<u32, String> {
@@ -221,11 +224,12 @@ fn day(text: &str) -> Result<u32, String> {
 }
 
 fn whole(text: &str) -> Result<u32, String> {
-    text.parse().map_err(|_| not_whole())
+    text.parse().map_err(|_| not_whole(f64::from(u32::MAX)))
 }
 
-fn not_whole() -> String {
-    format!("it must be a whole number from 0 to {}", u32::MAX)
+/// Why something is not a whole number up to a greatest one.
+pub fn not_whole(greatest: f64) -> String {
+    format!("it must be a whole number from 0 to {greatest}")
 }
 
 /// Foreign text as the page quotes it.

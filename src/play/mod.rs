@@ -12,6 +12,7 @@ pub mod handed;
 mod history;
 pub mod link;
 mod meshes;
+pub mod outline;
 pub mod page;
 pub mod parameters;
 pub mod playhead;
@@ -22,6 +23,7 @@ mod scene;
 mod testing;
 #[cfg(test)]
 mod together;
+pub mod typed;
 pub mod words;
 pub mod worker;
 

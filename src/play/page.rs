@@ -3,12 +3,13 @@
 //! with `shown`, `camera` and the rest after each event.
 
 mod growing;
+mod told;
 
-use super::camera::Camera;
+use super::camera::{Camera, Orbit};
 use super::figures::asked_figure;
 use super::hand::Hand;
 use super::history::{Change, History};
-use super::link::{self, INDIVIDUAL, individual};
+use super::link::{self, DAY, INDIVIDUAL, individual};
 use super::meshes::Meshes;
 use super::parameters::Parameter;
 use super::playhead::Playhead;
@@ -16,6 +17,7 @@ use super::run::{End, Run};
 use super::scene::Scene;
 use super::words;
 use crate::plants::Plant;
+use told::Moves;
 
 pub use super::events::{Effect, Event, Refusal, Shown, ShownDay, State};
 
@@ -39,6 +41,10 @@ pub struct Page {
     /// Whether the figures stand in the place of the plant: then nothing grows here.
     is_away: bool,
     refusal: Option<Refusal>,
+    /// What the last change of a number has moved.
+    moves: Option<Moves>,
+    /// See `source()`.
+    source: String,
     less_motion: bool,
     written: String,
     said: String,
@@ -65,6 +71,8 @@ impl Page {
             worked: String::new(),
             is_away,
             refusal: None,
+            moves: None,
+            source: String::new(),
             less_motion: false,
             written: String::new(),
             said: String::new(),
@@ -72,7 +80,7 @@ impl Page {
         };
         let mut effects = vec![Effect::Tell(opened.left_out)];
         page.wish(&mut effects);
-        page.settle(Change::Other, &mut effects);
+        page.settle(Change::Other, Effect::WriteLink, &mut effects);
         (page, effects)
     }
 
@@ -86,12 +94,17 @@ impl Page {
             }
             _ => Change::Other,
         };
+        // The browser's own way back leads from plant to plant.
+        let write = match &event {
+            Event::ChoosePlant(_) => Effect::PushLink,
+            _ => Effect::WriteLink,
+        };
         self.take(event, &mut effects);
         self.show();
         if self.is_settled() {
             self.scene.day = self.playhead.wished_day();
             self.scene.orbit = self.camera.wished();
-            self.settle(change, &mut effects);
+            self.settle(change, write, &mut effects);
         }
         effects
     }
@@ -148,23 +161,9 @@ impl Page {
         if wished && arrived { State::Ready } else { State::Growing }
     }
 
-    /// What was put in a field last, if it cannot be.
-    pub fn refusal(&self, field: &str) -> Option<&str> {
-        self.refusal.as_ref().filter(|r| r.field == field).map(|r| r.why.as_str())
-    }
-
     /// The link of what is wished now, also while it plays.
     pub fn link(&self) -> String {
         link::write(&self.wished_scene())
-    }
-
-    /// The picture in words: `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
-    pub fn description(&self) -> String {
-        let (scene, shown) = (&self.scene, &self.shown);
-        match &shown.day {
-            Some(day) => words::describe(&self.run.scene, shown.individual, day, scene.show),
-            None => format!("{}, individual {}", scene.plant.name, scene.individual),
-        }
     }
 
     fn take(&mut self, event: Event, effects: &mut Vec<Effect>) {
@@ -191,9 +190,14 @@ impl Page {
             },
             Event::Change { key, value } => {
                 let Some(parameter) = Parameter::of_key(key) else { return };
-                let mut scene = self.wished_scene();
+                let before = self.wished_scene();
+                let mut scene = before.clone();
                 match parameter.set(&mut scene, value) {
-                    Ok(()) => self.adopt(scene, effects),
+                    Ok(()) => {
+                        let moves = Moves::of(parameter, &before, &scene, self.moves.take());
+                        self.adopt(scene, effects);
+                        self.moves = Some(moves);
+                    }
                     Err(why) => self.refuse(key, &why),
                 }
             }
@@ -205,10 +209,20 @@ impl Page {
             Event::Noise(noise) => self.adopt(Scene { noise, ..self.wished_scene() }, effects),
             Event::Show(show) => self.adopt(Scene { show, ..self.wished_scene() }, effects),
             Event::Seek(day) => self.seek(day, effects),
+            Event::Day(day) => {
+                let last_day = f64::from(last_day);
+                match day.fract() == 0.0 && (0.0..=last_day).contains(&day) {
+                    true => self.seek(day as u32, effects),
+                    false => self.refuse(DAY, &link::not_whole(last_day)),
+                }
+            }
             Event::StepDays(by) => {
                 self.seek(self.playhead.wished_day().saturating_add_signed(by), effects);
             }
-            Event::Scrub(time) => self.playhead.scrub(time, newest, last_day),
+            Event::Scrub(time) => {
+                self.forgive_day();
+                self.playhead.scrub(time, newest, last_day);
+            }
             Event::LetGo => {
                 self.playhead.let_go();
                 self.try_again(effects);
@@ -218,7 +232,8 @@ impl Page {
             Event::Speed(speed) => self.playhead.speed = speed,
             Event::Loop(looping) => self.playhead.looping = looping,
             Event::Turn { right_deg, up_deg } => {
-                self.camera.wish(self.camera.wished().turned(right_deg, up_deg));
+                let turned = self.camera.wished().turned(right_deg, up_deg);
+                self.camera.wish(turned.above(Orbit::lowest_deg(self.scene.plant)));
             }
             Event::Zoom { factor, at } => self.camera.wish(self.camera.wished().zoomed(factor, at)),
             Event::Pan(by) => self.camera.wish(self.camera.wished().panned(by)),
@@ -270,9 +285,15 @@ impl Page {
         self.refusal = Some(Refusal { field, why: format!("Not taken: {why}.") });
     }
 
+    /// Another day is wished than the one that was refused.
+    fn forgive_day(&mut self) {
+        self.refusal.take_if(|refusal| refusal.field == DAY);
+    }
+
     /// Makes a scene the wished one: grows again only if it must.
     fn adopt(&mut self, scene: Scene, effects: &mut Vec<Effect>) {
         self.refusal = None;
+        self.moves = None;
         // What was told of the last scene is over.
         effects.push(Effect::Tell(Vec::new()));
         self.sharp &= scene.show == self.scene.show && scene.look == self.scene.look;
@@ -291,6 +312,7 @@ impl Page {
     }
 
     fn seek(&mut self, day: u32, effects: &mut Vec<Effect>) {
+        self.forgive_day();
         self.playhead.seek(day.min(self.run.last_day()), self.run.newest());
         self.try_again(effects);
     }
@@ -316,7 +338,7 @@ impl Page {
     }
 
     /// Writes the link and says what is shown, if they changed.
-    fn settle(&mut self, change: Change, effects: &mut Vec<Effect>) {
+    fn settle(&mut self, change: Change, write: fn(String) -> Effect, effects: &mut Vec<Effect>) {
         // The address is that of the figures.
         if self.is_away {
             return;
@@ -327,7 +349,8 @@ impl Page {
                 self.history.go_on(self.scene.clone(), change);
             }
             self.written.clone_from(&link);
-            effects.push(Effect::WriteLink(link));
+            self.source = words::source(&self.scene);
+            effects.push(write(link));
         }
         if self.state() == State::Ready {
             self.worked.clone_from(&self.written);

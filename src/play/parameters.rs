@@ -1,11 +1,13 @@
 //! The numbers that a visitor can change: one table, from which the panel, the links and the help
 //! are made.
 
+mod slider;
 mod table;
 
-use super::Scene;
+use super::{Scene, words};
 use crate::plants::Plant;
-pub use table::PARAMETERS;
+use slider::Scale;
+pub use table::{PARAMETERS, widen};
 
 /// One number that a visitor can change.
 pub struct Parameter {
@@ -13,11 +15,14 @@ pub struct Parameter {
     pub key: &'static str,
     /// May name the colours of the plant as `{F}`, `{B}` and `{M}`.
     label: &'static str,
+    /// Its symbol in the thesis (Table 4.1), if it has one.
+    pub symbol: &'static str,
     pub unit: &'static str,
     /// Least and greatest value, both allowed.
     pub range: [f64; 2],
     /// Step of the slider; links may lie between, but for whole numbers, whose step is whole.
     pub step: f64,
+    scale: Scale,
     /// What is chosen by the numbers 0, 1 and so on, and only by these; of plain numbers nothing.
     pub names: &'static [&'static str],
     /// One line on what it does; may name the colours too.
@@ -50,9 +55,13 @@ impl Parameter {
         with_colours(self.label, plant)
     }
 
-    /// One line on what it does.
+    /// One line on what it does; where a control image has the last word, that, too.
     pub fn effect(&self, plant: &Plant) -> String {
-        with_colours(self.effect, plant)
+        let effect = with_colours(self.effect, plant);
+        match self.key == "pf" && plant.controls.is_some() {
+            true => effect + &with_colours(CONTROLLED, plant),
+            false => effect,
+        }
     }
 
     /// Whether it means anything for a plant.
@@ -106,9 +115,14 @@ impl Parameter {
     }
 }
 
+/// Why day 0 has fewer F cells than the recipe says.
+const CONTROLLED: &str =
+    " The plant's control image lets them be so in places only: day 0 has fewer.";
+
 fn with_colours(text: &str, plant: &Plant) -> String {
     let [f, b, m] = plant.colour_names;
-    text.replace("{F}", f).replace("{B}", b).replace("{M}", m)
+    let most = words::grouped(plant.recipe.max_cells);
+    text.replace("{F}", f).replace("{B}", b).replace("{M}", m).replace("{most}", &most)
 }
 
 #[cfg(test)]
@@ -177,5 +191,16 @@ mod tests {
         assert_eq!(label, "Days between divisions, yellow");
         let effect = Parameter::of_key("mfm").unwrap().effect(&PLANTS[0]);
         assert_eq!(effect, "Mutation: the chance that a yellow cell's child is red.");
+    }
+
+    #[test]
+    fn what_the_numbers_do_not_say_is_told() {
+        let effect = |key, plant| {
+            Parameter::of_key(key).unwrap().effect(crate::plants::find(plant).unwrap())
+        };
+        assert!(effect("pf", "croton").ends_with("in places only: day 0 has fewer."));
+        assert!(!effect("pf", "croton-shrub").contains("control image"));
+        assert!(effect("days", "watermelon").contains("100,000 cells"));
+        assert!(effect("days", "croton").contains("160,000 cells"));
     }
 }

@@ -109,6 +109,7 @@ impl ToPage {
                 let mut words = Vec::with_capacity(16 + heads.len() + sites.len());
                 words.extend([DAY, *generation, *day, facts.count.cells]);
                 words.extend(facts.count.by_type);
+                words.extend(facts.areas);
                 push_text(&mut words, &facts.fingerprint);
                 for part in [heads, sites] {
                     words.push(part.len() as u32);
@@ -167,6 +168,10 @@ impl<'a> Reader<'a> {
         Ok(head)
     }
 
+    fn three(&mut self) -> Result<[u32; 3], ProtocolError> {
+        Ok([self.word()?, self.word()?, self.word()?])
+    }
+
     fn text(&mut self) -> Result<String, ProtocolError> {
         let length = self.word()? as usize;
         let words = self.words(length.div_ceil(4))?;
@@ -178,11 +183,12 @@ impl<'a> Reader<'a> {
     fn day(&mut self) -> Result<DayNews, ProtocolError> {
         let (generation, day) = (self.word()?, self.word()?);
         let cells = self.word()?;
-        let by_type = [self.word()?, self.word()?, self.word()?];
+        let by_type = self.three()?;
+        let areas = self.three()?;
         let fingerprint = self.text()?;
         let heads: Vec<Head> = self.records()?;
         let sites: Vec<Site> = self.records()?;
-        let facts = DayFacts { count: DayCount { cells, by_type }, fingerprint };
+        let facts = DayFacts { count: DayCount { cells, by_type }, areas, fingerprint };
         Ok(DayNews { generation, day, facts, lists: SiteLists { heads, sites } })
     }
 
@@ -210,7 +216,11 @@ mod tests {
             ToPage::Day(DayNews {
                 generation: 7,
                 day: 3,
-                facts: DayFacts { count, fingerprint: "k3v9qa".to_string() },
+                facts: DayFacts {
+                    count,
+                    areas: [0, 9_000, 1_000],
+                    fingerprint: "k3v9qa".to_string(),
+                },
                 lists: SiteLists { heads: vec![head], sites: vec![site(5), site(u32::MAX - 1)] },
             }),
             ToPage::Full { generation: 1 },
@@ -244,9 +254,9 @@ mod tests {
         }
         assert_eq!(ToPage::from_words(&[99]), Err(ProtocolError));
         assert_eq!(ToPage::from_words(&[HELLO, u32::MAX]), Err(ProtocolError));
-        let endless = [DAY, 0, 0, 0, 0, 0, 0, 0, u32::MAX];
+        let endless = [DAY, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, u32::MAX];
         assert_eq!(ToPage::from_words(&endless), Err(ProtocolError));
-        let half_a_site = [DAY, 0, 0, 0, 0, 0, 0, 0, 0, 1, 5];
+        let half_a_site = [DAY, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 5];
         assert_eq!(ToPage::from_words(&half_a_site), Err(ProtocolError));
     }
 }

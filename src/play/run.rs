@@ -21,6 +21,8 @@ pub struct Run {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DayFacts {
     pub count: DayCount,
+    /// See `SiteLists::areas`.
+    pub areas: [u32; 3],
     pub fingerprint: String,
 }
 

@@ -9,6 +9,7 @@ use crate::plants::Show;
 use crate::tissue::Progress;
 use std::sync::Arc;
 
+mod fields;
 mod late;
 mod looking;
 mod losses;
@@ -20,7 +21,9 @@ struct Together {
     /// What the worker has said and the page has not heard yet.
     mailbox: Vec<Vec<u32>>,
     starts: usize,
+    /// All addresses, and those that were entries of their own.
     links: Vec<String>,
+    pushed: Vec<String>,
     said: Vec<String>,
     told: Vec<String>,
     wishes: usize,
@@ -38,6 +41,7 @@ impl Together {
             mailbox: Vec::new(),
             starts: 0,
             links: Vec::new(),
+            pushed: Vec::new(),
             said: Vec::new(),
             told: Vec::new(),
             wishes: 0,
@@ -81,6 +85,10 @@ impl Together {
                     self.hear(Event::Mesh { name, text: Ok(String::new()) });
                 }
                 Effect::WriteLink(link) => self.links.push(link),
+                Effect::PushLink(link) => {
+                    self.pushed.push(link.clone());
+                    self.links.push(link);
+                }
                 Effect::Say(text) => self.said.push(text),
                 Effect::Tell(texts) => self.told = texts,
                 Effect::Reload => panic!("a stranger"),
@@ -307,7 +315,7 @@ fn what_is_shown_never_grows_and_can_be_undone() {
     assert_eq!((all.wishes, all.page.state()), (1, State::Ready));
     assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=2&show=controls");
     assert!(
-        all.said.last().unwrap().ends_with(" yellow, 0% red. Control images"),
+        all.said.last().unwrap().ends_with("% yellow, 0% red. Control images"),
         "{:?}",
         all.said
     );
@@ -386,11 +394,4 @@ fn each_mesh_is_loaded_once() {
         assert_eq!(all.page.drawn().unwrap().plant, plant);
     }
     assert_eq!((all.loads, all.files), (vec!["leaf", "fruit"], 2));
-}
-
-#[test]
-fn a_stranger_is_sent_away() {
-    let (mut page, _) = Page::open("", PLANTS);
-    let hello = ToPage::Hello { build: "another".to_string() };
-    assert_eq!(page.hear(Event::FromWorker(hello)), [Effect::Reload]);
 }

@@ -130,12 +130,13 @@ impl Worker {
 impl Ground {
     fn news(&mut self, diary: &Diary, generation: u32, day: u32) -> DayNews {
         let index = day as usize;
-        DayNews {
-            generation,
-            day,
-            facts: DayFacts { count: diary.count(index), fingerprint: diary.fingerprint(index) },
-            lists: self.finder.find(&self.surface, diary, index),
-        }
+        let lists = self.finder.find(&self.surface, diary, index);
+        let facts = DayFacts {
+            count: diary.count(index),
+            areas: lists.areas(&self.surface),
+            fingerprint: diary.fingerprint(index),
+        };
+        DayNews { generation, day, facts, lists }
     }
 }
 

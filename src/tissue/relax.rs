@@ -138,21 +138,23 @@ impl Crowd {
     fn sort(&mut self, written: &[Range<usize>]) {
         let bins_in_all = self.plan.bins_in_all();
         let (moved, rows) = (&self.moved[..], &mut self.rows[..]);
-        if let [written] = written {
-            self.sorting.sort(&self.bins, written.clone(), bins_in_all, move |row, to| {
-                // SAFETY: both have as many rows, more than there are cells.
-                unsafe { copy(moved, row, rows, to) };
-            });
-            return;
+        match written {
+            #[cfg(not(target_arch = "wasm32"))]
+            [_, _, ..] => super::threads::sort(
+                self.hands.threads(),
+                &mut self.sorting,
+                (&self.bins, written, bins_in_all),
+                moved,
+                rows,
+            ),
+            [written, ..] => {
+                self.sorting.sort(&self.bins, written.clone(), bins_in_all, move |row, to| {
+                    // SAFETY: both have as many rows, more than there are cells.
+                    unsafe { copy(moved, row, rows, to) };
+                });
+            }
+            [] => {}
         }
-        #[cfg(not(target_arch = "wasm32"))]
-        super::threads::sort(
-            self.hands.threads(),
-            &mut self.sorting,
-            (&self.bins, written, bins_in_all),
-            moved,
-            rows,
-        );
     }
 }
 

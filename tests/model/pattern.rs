@@ -2,7 +2,8 @@
 
 use crate::meshes::{flat, flat_torus, icosphere, place_at, shaken, sheet};
 use crate::{grow, without_relaxation};
-use clonal_mosaic::mosaic::{Pattern, neighbours, polygons};
+use clonal_mosaic::mosaic::{Pattern, SiteFinder, neighbours, polygons};
+use clonal_mosaic::plants;
 use clonal_mosaic::surface::{Charts, Mesh, Place};
 use clonal_mosaic::tissue::CellType::{self, Background, Foreground, Middle};
 use clonal_mosaic::tissue::{Day, Diary, Lineage, Recipe};
@@ -173,4 +174,27 @@ fn random_types_are_mixed_by_chance_alone() {
     assert!((found.mixed_edges - 0.62).abs() < 4.5 * 0.0026, "{found:?}");
     let whole: f64 = found.area_shares.iter().sum();
     assert!((whole - 1.0).abs() < 1e-3, "{whole}");
+}
+
+/// What the page tells of each day is told from a few points of each triangle.
+#[test]
+fn the_areas_of_the_lists_are_those_of_the_polygons() {
+    let leaf = plants::find("sansevieria").unwrap();
+    let leaf_mesh = leaf.embedded_body().surface;
+    let recipe = Recipe { days: 0, ..leaf.recipe.clone() };
+    let mut leaf_growth = leaf.sow(Arc::new(leaf_mesh.clone()), recipe, 1).unwrap();
+    while leaf_growth.diary.days.is_empty() {
+        leaf_growth.step();
+    }
+    let sphere = icosphere(4, 10.0);
+    let sphere_diary = sown(&sphere, 3000, 1);
+    for (mesh, diary) in [(leaf_mesh, leaf_growth.diary), (sphere, sphere_diary)] {
+        let exact = pattern(&mesh, &diary).area_shares;
+        let told = SiteFinder::new(&mesh).find(&mesh, &diary, 0).areas(&mesh);
+        for (told, exact) in told.into_iter().zip(exact) {
+            let told = f64::from(told) / 10_000.0;
+            assert!((told - exact).abs() < 0.005, "{told} of {exact}");
+        }
+        assert_eq!(told.into_iter().sum::<u32>().abs_diff(10_000) / 5, 0, "{told:?}");
+    }
 }

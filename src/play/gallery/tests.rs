@@ -32,7 +32,7 @@ struct Together {
 impl Together {
     fn new(workers: usize) -> Together {
         Together {
-            gallery: Gallery::new(PLANTS, workers),
+            gallery: Gallery::new(PLANTS, workers, Vec::new()),
             workers: (0..workers).map(|_| None).collect(),
             mailbox: Vec::new(),
             starts: 0,
@@ -314,7 +314,7 @@ fn workers_that_never_speak_are_not_started_without_end() {
 
 #[test]
 fn a_mesh_that_does_not_come_is_told_and_asked_for_when_the_row_is_wished_again() {
-    let mut gallery = Gallery::new(PLANTS, 1);
+    let mut gallery = Gallery::new(PLANTS, 1, Vec::new());
     gallery.hear(Event::FromWorker(0, Worker::hello()));
     let text = || Err("no connection".to_string());
     for wish in [Event::Open(&ROW), Event::Day(3), Event::Open(&ROW), Event::Day(1)] {
@@ -334,7 +334,7 @@ fn a_mesh_that_does_not_come_is_told_and_asked_for_when_the_row_is_wished_again(
 
 #[test]
 fn a_file_of_another_row_is_no_reason_to_try_again() {
-    let mut gallery = Gallery::new(PLANTS, 1);
+    let mut gallery = Gallery::new(PLANTS, 1, Vec::new());
     gallery.hear(Event::FromWorker(0, Worker::hello()));
     gallery.hear(Event::Open(&ROW));
     gallery.hear(Event::Mesh { name: "leaf", text: Err("no connection".to_string()) });
@@ -348,11 +348,52 @@ fn a_file_of_another_row_is_no_reason_to_try_again() {
 
 #[test]
 fn a_mesh_that_comes_too_late_is_no_trouble_of_the_next_row() {
-    let mut gallery = Gallery::new(PLANTS, 1);
+    let mut gallery = Gallery::new(PLANTS, 1, Vec::new());
     gallery.hear(Event::FromWorker(0, Worker::hello()));
     gallery.hear(Event::Open(&ROW));
     gallery.hear(Event::Open(&OTHER));
     let text = Err("no connection".to_string());
     gallery.hear(Event::Mesh { name: "leaf", text });
     assert_eq!(gallery.row().unwrap().trouble, None);
+}
+
+#[test]
+fn the_days_of_a_row_come_back_with_it() {
+    let mut all = Together::new(2);
+    all.hear(Event::Open(&ROW));
+    all.hear(Event::Day(3));
+    all.finish();
+    all.hear(Event::Open(&OTHER));
+    all.finish();
+    assert_eq!(all.days(), [Some(4)], "another row has its own");
+    all.hear(Event::Open(&ROW));
+    all.finish();
+    assert_eq!(all.days(), [Some(2), Some(3), Some(3)]);
+    // The figures are left and opened again.
+    let days = all.gallery.days().clone();
+    let mut again = Together::new(2);
+    again.gallery = Gallery::new(PLANTS, 2, days);
+    assert_eq!(again.gallery.day_of(&ROW), Some(3));
+    again.hear(Event::Open(&ROW));
+    again.finish();
+    assert_eq!(again.days(), [Some(2), Some(3), Some(3)]);
+}
+
+#[test]
+fn pictures_are_called_by_the_day_that_they_show() {
+    let mut all = Together::new(2);
+    all.hear(Event::Open(&ROW));
+    all.finish();
+    let row = |all: &Together| {
+        let row = all.gallery.row().unwrap();
+        [0, 1, 2].map(|k| (row.label(k), row.told(k).unwrap()))
+    };
+    let whole = row(&all);
+    assert_eq!([0, 1, 2].map(|k| whole[k].0.as_str()), ["day 2", "day 4", "individual 2"]);
+    assert!(whole.iter().all(|(_, told)| !told.starts_with("Day")));
+    all.hear(Event::Day(3));
+    let early = row(&all);
+    assert_eq!([0, 1, 2].map(|k| early[k].0.as_str()), ["day 2", "day 3 of 4", "individual 2"]);
+    let says_day = [0, 1, 2].map(|k| early[k].1.starts_with("Day 3: "));
+    assert_eq!(says_day, [false, false, true]);
 }

@@ -47,6 +47,8 @@ impl Page {
         self.run = Run::new(self.run.generation + 1, self.wished_scene());
         self.shown = bare(&self.scene);
         self.drawn = None;
+        // The title is that of the figures meanwhile.
+        self.said.clear();
         self.end_worker(effects);
     }
 

@@ -1,6 +1,6 @@
 //! The table of all parameters.
 
-use super::{Needs, Parameter};
+use super::{Needs, Parameter, Scale};
 use crate::play::Scene;
 use crate::tissue::CellType::{self, Background as B, Foreground as F, Middle as M};
 use crate::tissue::Clock;
@@ -10,9 +10,11 @@ use crate::tissue::Clock;
 const NUMBER: Parameter = Parameter {
     key: "",
     label: "",
+    symbol: "",
     unit: "",
     range: [0.0, 1.0],
     step: 1.0,
+    scale: Scale::Even,
     names: &[],
     effect: "",
     needs: Needs::Nothing,
@@ -37,6 +39,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "pf",
         label: "First cells that are {F}",
+        symbol: "p_F",
         unit: "share",
         range: [0.0, 1.0],
         step: 0.001,
@@ -51,6 +54,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "pm",
         label: "First cells that are {M}",
+        symbol: "p_M",
         unit: "share",
         range: [0.0, 1.0],
         step: 0.005,
@@ -66,9 +70,11 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "df",
         label: "Days between divisions, {F}",
+        symbol: "D_F",
         unit: "days",
         range: [1.5, 200.0],
         step: 0.5,
+        scale: Scale::Ratio,
         effect: "Fewer days: {F} cells multiply faster and take over.",
         get: |s| s.recipe.division_days[F as usize],
         set: |s, x| s.recipe.division_days[F as usize] = x,
@@ -77,9 +83,11 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "db",
         label: "Days between divisions, {B}",
+        symbol: "D_B",
         unit: "days",
         range: [1.5, 200.0],
         step: 0.5,
+        scale: Scale::Ratio,
         effect: "Fewer days: {B} cells multiply faster and take over.",
         get: |s| s.recipe.division_days[B as usize],
         set: |s, x| s.recipe.division_days[B as usize] = x,
@@ -88,9 +96,11 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "dm",
         label: "Days between divisions, {M}",
+        symbol: "D_M",
         unit: "days",
         range: [1.5, 200.0],
         step: 0.5,
+        scale: Scale::Ratio,
         effect: "Fewer days: {M} cells multiply faster and take over.",
         needs: Needs::Middle,
         get: |s| s.recipe.division_days[M as usize],
@@ -111,6 +121,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "ff",
         label: "Adhesion among {F} cells",
+        symbol: "α_FF",
         range: [0.0, 1.0],
         step: 0.05,
         effect: "0: they push each other away in full; 1: not at all, and they huddle.",
@@ -121,6 +132,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "bb",
         label: "Adhesion among {B} cells",
+        symbol: "α_BB",
         range: [0.0, 1.0],
         step: 0.05,
         effect: "0: they push each other away in full; 1: not at all, and they huddle.",
@@ -131,6 +143,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "fb",
         label: "Adhesion between {F} and {B}",
+        symbol: "α_FB",
         range: [0.0, 1.0],
         step: 0.05,
         effect: "0: the colours part into clear patches; 1: they mix.",
@@ -141,6 +154,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "mm",
         label: "Adhesion among {M} cells",
+        symbol: "α_MM",
         range: [0.0, 1.0],
         step: 0.05,
         effect: "0: they push each other away in full; 1: not at all, and they huddle.",
@@ -152,6 +166,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "fm",
         label: "Adhesion between {F} and {M}",
+        symbol: "α_FM",
         range: [0.0, 1.0],
         step: 0.05,
         effect: "0: the colours part into clear patches; 1: they mix.",
@@ -163,6 +178,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "bm",
         label: "Adhesion between {B} and {M}",
+        symbol: "α_BM",
         range: [0.0, 1.0],
         step: 0.05,
         effect: "0: the colours part into clear patches; 1: they mix.",
@@ -244,6 +260,7 @@ pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         key: "rs",
         label: "Reach of the push",
+        symbol: "ω_r",
         unit: "× spacing",
         range: [0.1, 6.0],
         step: 0.1,
@@ -301,7 +318,7 @@ pub const PARAMETERS: &[Parameter] = &[
         unit: "days",
         range: [1.0, 60.0],
         step: 1.0,
-        effect: "The last day of the time line.",
+        effect: "The last day of the time line. Growth ends before it at {most} cells, this plant's limit.",
         get: |s| f64::from(s.recipe.days),
         set: |s, x| s.recipe.days = x as u32,
         ..NUMBER
@@ -331,7 +348,7 @@ pub const PARAMETERS: &[Parameter] = &[
 ];
 
 /// An f32 as the short decimal that it was written as.
-fn widen(x: f32) -> f64 {
+pub fn widen(x: f32) -> f64 {
     short(f64::from(x))
 }
 

@@ -290,3 +290,10 @@ fn a_recipe_that_is_refused_leaves_the_scene_and_says_why() {
     all.finish();
     assert_eq!((all.page.state(), all.told.len()), (State::Ready, 0));
 }
+
+#[test]
+fn a_stranger_is_sent_away() {
+    let (mut page, _) = Page::open("", PLANTS);
+    let hello = ToPage::Hello { build: "another".to_string() };
+    assert_eq!(page.hear(Event::FromWorker(hello)), [Effect::Reload]);
+}

@@ -1,0 +1,85 @@
+//! What the page says in words: of the picture, of the growth, and at its fields.
+
+use super::super::parameters::{PARAMETERS, Parameter};
+use super::super::{End, Scene, words};
+use super::Page;
+
+/// Numbers that had to make room for another one, each with what it was.
+pub(super) struct Moves {
+    pub by: &'static Parameter,
+    others: Vec<(&'static Parameter, f64)>,
+}
+
+impl Moves {
+    /// What one change has moved. `earlier`: what the same number had moved up to the scene before.
+    pub fn of(
+        by: &'static Parameter,
+        before: &Scene,
+        after: &Scene,
+        earlier: Option<Moves>,
+    ) -> Moves {
+        let earlier = earlier.filter(|moves| moves.by.key == by.key);
+        let was = |other: &Parameter| {
+            let mut known = earlier.iter().flat_map(|moves| &moves.others);
+            known.find(|(p, _)| p.key == other.key).map_or(other.get(before), |(_, was)| *was)
+        };
+        let others = PARAMETERS.iter().filter(|other| other.key != by.key);
+        let moved = others.map(|other| (other, was(other)));
+        Moves { by, others: moved.filter(|(other, was)| other.get(after) != *was).collect() }
+    }
+}
+
+impl Page {
+    /// The picture in words: `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
+    pub fn description(&self) -> String {
+        let (scene, shown) = (&self.scene, &self.shown);
+        match &shown.day {
+            Some(day) => words::describe(&self.run.scene, shown.individual, day, scene.show),
+            None => format!("{}, individual {}", scene.plant.name, scene.individual),
+        }
+    }
+
+    /// What is being waited for; nothing where nothing is.
+    pub fn notice(&self) -> String {
+        let wished = self.playhead.wished_day();
+        if self.run.end == Some(End::Failed) {
+            return String::new();
+        }
+        match (self.run.newest(), &self.shown.day) {
+            (None, _) => "Sowing the first cells…".to_string(),
+            (Some(grown), Some(day)) if wished > grown && !self.playhead.is_playing() => {
+                let cells = words::grouped(day.facts.count.cells);
+                format!("Day {wished} is growing: here is day {}, {cells} cells", day.day)
+            }
+            _ => String::new(),
+        }
+    }
+
+    /// Where the recipe comes from, and how many numbers of it are changed.
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// What was put in a field last, if it cannot be.
+    pub fn refusal(&self, field: &str) -> Option<&str> {
+        self.refusal.as_ref().filter(|r| r.field == field).map(|r| r.why.as_str())
+    }
+
+    /// What is to be said at the field of a number that has moved another, or was moved by one.
+    pub fn remark(&self, key: &str) -> Option<String> {
+        let moves = self.moves.as_ref()?;
+        let plant = self.scene.plant;
+        let mut of_it = moves.others.iter().filter(|(p, _)| moves.by.key == key || p.key == key);
+        let (other, was) = of_it.next()?;
+        let now = other.get(&self.scene);
+        Some(match other.key == key {
+            true => format!(
+                "Was {was}: it makes room for “{}”, as both are 1 at most.",
+                moves.by.label(plant)
+            ),
+            false => {
+                format!("“{}” goes from {was} to {now}: both are 1 at most.", other.label(plant))
+            }
+        })
+    }
+}
