@@ -1,13 +1,14 @@
 //! The same scene is the same cells: in the worker, natively, and for whoever opens the link.
 
-use crate::page::{Graphics, Page};
+use crate::engines::Graphics;
+use crate::page::Page;
 use clonal_mosaic::plants;
 use clonal_mosaic::play::link;
 use clonal_mosaic::tissue::Progress;
 use std::sync::Arc;
 
 /// The fingerprint of a link's day, grown natively.
-fn native(text: &str) -> String {
+pub fn native(text: &str) -> String {
     let opened = link::read(text, plants::all());
     assert!(opened.left_out.is_empty(), "{text}: {:?}", opened.left_out);
     let scene = opened.scene;
