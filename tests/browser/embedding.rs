@@ -1,7 +1,8 @@
 //! The page in a frame with a `sandbox`, as learning platforms embed it: there it is a stranger to every
 //! host, to its own too.
 
-use crate::page::{Graphics, Page};
+use crate::engines::Graphics;
+use crate::page::Page;
 use crate::sameness::native;
 use crate::server::{Server, dist};
 

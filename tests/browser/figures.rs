@@ -1,6 +1,7 @@
 //! The figures: rows of pictures that grow where the reader looks.
 
-use crate::page::{Graphics, Page};
+use crate::engines::{Engine, Graphics};
+use crate::page::Page;
 use clonal_mosaic::plants;
 use clonal_mosaic::play::{figures, link, words};
 use clonal_mosaic::tissue::Progress;
@@ -80,8 +81,8 @@ fn differences(page: &Page) -> Vec<Vec<f64>> {
     serde_json::from_value(page.run(&script)).expect("numbers")
 }
 
-fn a_row_grows_and_opens(graphics: Graphics) {
-    let Some(page) = Page::open(graphics, &format!("#figures/{NUMBER}")) else { return };
+pub fn a_row_grows_and_opens(engine: impl Into<Engine>) {
+    let Some(page) = Page::open(engine, &format!("#figures/{NUMBER}")) else { return };
     wait_for_row(&page, &expected());
     page.ready();
     for (k, row) in differences(&page).iter().enumerate() {

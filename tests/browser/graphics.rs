@@ -1,6 +1,7 @@
 //! What crosses to the graphics card, and what comes of a card that fails or is too small.
 
-use crate::page::{Graphics, Page};
+use crate::engines::Graphics;
+use crate::page::Page;
 use serde_json::json;
 
 const SMALL: &str = "#watermelon?v=1&s=2&d=3";

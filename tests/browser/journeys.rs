@@ -1,6 +1,7 @@
 //! What a visitor does: opens, chooses, scrubs, plays, asks for another individual, shares.
 
-use crate::page::{Graphics, Page};
+use crate::engines::Graphics;
+use crate::page::Page;
 use serde_json::json;
 use std::time::Duration;
 

@@ -1,6 +1,7 @@
 //! WebGPU, then WebGL2, then a still picture; and a graphics card that goes away.
 
-use crate::page::{Graphics, Page, Picture, State};
+use crate::engines::Graphics;
+use crate::page::{Page, Picture, State};
 use serde_json::json;
 
 const LINK: &str = "#watermelon?v=1&s=2&d=3";

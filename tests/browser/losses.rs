@@ -1,6 +1,7 @@
 //! Workers that die while they grow, as they do where memory runs out.
 
-use crate::page::{Graphics, Page};
+use crate::engines::Graphics;
+use crate::page::Page;
 use serde_json::json;
 
 /// A browser whose workers die of a real exception, thrown where they send a day: `is_deadly` is a

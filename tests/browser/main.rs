@@ -1,9 +1,12 @@
-//! The built page (`dist/`) in headless Chromium, driven through chromedriver as its visitor would.
+//! The built page (`dist/`) in headless Chromium, and its main journey in Firefox and WebKit, driven
+//! through WebDriver as their visitors would.
 //!
 //! `./playground test` builds the page and fails where Chromium or the page is missing; a plain
-//! `cargo test` skips these tests then, and says so.
+//! `cargo test` skips these tests then, and says so. Firefox and WebKit are skipped, and named, where
+//! they cannot be installed.
 
 mod embedding;
+mod engines;
 mod figures;
 mod graphics;
 mod journeys;
@@ -20,5 +23,6 @@ mod reach;
 mod sameness;
 mod server;
 mod start;
+mod three_engines;
 mod views;
 mod webdriver;

@@ -1,7 +1,8 @@
 //! `./playground measure`: a table of what the page costs on this machine. Nothing is asserted: times
 //! depend on the machine.
 
-use crate::page::{Graphics, Page};
+use crate::engines::Graphics;
+use crate::page::Page;
 use crate::start::{Start, preset_link};
 use clonal_mosaic::plants::{self, Plant};
 use clonal_mosaic::play::protocol::{ToPage, ToWorker};

@@ -1,6 +1,7 @@
 //! The edition in one file: by double click from a disk, as an upload, in a locked frame.
 
-use crate::page::{Graphics, Page};
+use crate::engines::Graphics;
+use crate::page::Page;
 use crate::sameness::native;
 use crate::server::Server;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,6 @@
-//! The built page in a Chromium of its own, and what its visitor does with it.
+//! The built page in a browser of its own, and what its visitor does with it.
 
+use crate::engines::Engine;
 use crate::server::{Server, dist};
 use crate::webdriver::{Element, WebDriver};
 use serde_json::{Value, json};
@@ -7,44 +8,6 @@ use std::io::Write;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
-
-/// What the browser has to draw with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Graphics {
-    WebGpu,
-    WebGl2,
-    Neither,
-}
-
-const BASE_ARGUMENTS: [&str; 10] = [
-    "--headless=new",
-    "--no-sandbox",
-    "--disable-dev-shm-usage",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--force-device-scale-factor=1",
-    "--window-size=1280,800",
-];
-
-impl Graphics {
-    /// Without a graphics card a WebGPU canvas loses its device unless all of these are given.
-    fn arguments(self) -> &'static [&'static str] {
-        match self {
-            Graphics::WebGpu => &[
-                "--enable-unsafe-webgpu",
-                "--use-webgpu-adapter=swiftshader",
-                "--enable-features=Vulkan",
-                "--use-vulkan=swiftshader",
-                "--use-angle=swiftshader",
-            ],
-            Graphics::WebGl2 => &["--enable-unsafe-swiftshader"],
-            Graphics::Neither => &["--disable-gpu", "--disable-3d-apis"],
-        }
-    }
-}
 
 /// A tab with the page in it.
 pub struct Page {
@@ -73,33 +36,40 @@ const PATIENCE: Duration = Duration::from_secs(120);
 static ALONE: Mutex<()> = Mutex::new(());
 
 impl Page {
-    /// Opens a link (`#…`, or nothing) in a fresh browser. None where there is no Chromium or no
+    /// Opens a link (`#…`, or nothing) in a fresh browser. None where there is no such browser or no
     /// built page: the test is skipped then, which is said. Under `./playground test` that is a
-    /// failure.
-    pub fn open(graphics: Graphics, link: &str) -> Option<Page> {
-        let page = Page::start(graphics)?;
+    /// failure, unless it found before that the browser cannot be had.
+    pub fn open(engine: impl Into<Engine>, link: &str) -> Option<Page> {
+        let page = Page::start(engine)?;
         page.visit(link);
         Some(page)
     }
 
     /// A browser that has not gone anywhere yet.
-    pub fn start(graphics: Graphics) -> Option<Page> {
-        let wanted = std::env::var("BROWSER_TESTS").unwrap_or_default();
-        let missing = match (wanted.as_str(), tools()) {
-            ("off", _) => "BROWSER_TESTS is off".to_string(),
-            (_, Err(missing)) => missing,
-            (_, Ok((chromedriver, chromium))) => {
-                let alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-                let arguments = [&BASE_ARGUMENTS, graphics.arguments()].concat();
-                let browser = WebDriver::start(&chromedriver, &chromium, &arguments);
-                return Some(Page { browser, server: Server::start(&dist()), _alone: alone });
-            }
+    pub fn start(engine: impl Into<Engine>) -> Option<Page> {
+        let engine = engine.into();
+        let missing = match Page::try_to_start(engine) {
+            Ok(page) => return Some(page),
+            Err(missing) => missing,
         };
-        assert!(wanted != "required", "{missing}");
-        let test = std::thread::current().name().unwrap_or_default().to_string();
-        // Past the test harness, which would keep it to itself.
-        let _ = writeln!(std::io::stderr(), "SKIPPED {test}: {missing}");
+        let is_required = std::env::var("BROWSER_TESTS").is_ok_and(|wanted| wanted == "required");
+        assert!(!is_required || engine.is_given_up(), "{missing}");
+        skip(&missing);
         None
+    }
+
+    fn try_to_start(engine: Engine) -> Result<Page, String> {
+        if std::env::var("BROWSER_TESTS").is_ok_and(|wanted| wanted == "off") {
+            return Err("BROWSER_TESTS is off".to_string());
+        }
+        if engine.is_given_up() {
+            return Err(format!("{} could not be installed here", engine.name()));
+        }
+        if !dist().join("index.html").is_file() {
+            return Err("the page is not built: ./playground build".to_string());
+        }
+        let alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(Page { browser: engine.start()?, server: Server::start(&dist()), _alone: alone })
     }
 
     /// Loads the page anew with this link.
@@ -227,6 +197,12 @@ impl Page {
         self.browser.press(keys);
     }
 
+    /// Drags with the mouse from the middle of an element.
+    #[track_caller]
+    pub fn drag(&self, css: &str, right_px: i32, down_px: i32) {
+        self.browser.drag(&self.element(css), right_px, down_px);
+    }
+
     /// The part of the address after the `#`.
     #[track_caller]
     pub fn link(&self) -> String {
@@ -273,6 +249,12 @@ impl Page {
     pub fn warnings(&self) -> Vec<String> {
         self.browser.console(&["SEVERE", "WARNING"])
     }
+}
+
+/// Says that the running test is skipped, past the test harness, which would keep it to itself.
+pub fn skip(why: &str) {
+    let test = std::thread::current().name().unwrap_or_default().to_string();
+    let _ = writeln!(std::io::stderr(), "SKIPPED {test}: {why}");
 }
 
 /// Keys that are no letters (WebDriver 17.4.2).
@@ -337,31 +319,6 @@ pub fn from_base64(text: &str) -> Vec<u8> {
         bytes.extend_from_slice(&bits.to_be_bytes()[1..four.len()]);
     }
     bytes
-}
-
-/// Where chromedriver and Chromium are, or what is missing.
-fn tools() -> Result<(String, String), String> {
-    if !dist().join("index.html").is_file() {
-        return Err("the page is not built: ./playground build".to_string());
-    }
-    let chromedriver = tool("CHROMEDRIVER", &["chromedriver"])?;
-    let chromium = tool(
-        "CHROMIUM",
-        &["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"],
-    )?;
-    Ok((chromedriver, chromium))
-}
-
-fn tool(variable: &str, names: &[&str]) -> Result<String, String> {
-    if let Ok(path) = std::env::var(variable) {
-        return Ok(path);
-    }
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    std::env::split_paths(&path)
-        .flat_map(|folder| names.iter().map(move |name| folder.join(name)))
-        .find(|file| Path::is_file(file))
-        .map(|file| file.to_string_lossy().into_owned())
-        .ok_or_else(|| format!("there is no {} on the PATH, nor in ${variable}", names[0]))
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! What the graphics card draws against a second method: the pixels of the canvas show the colour of
 //! the Voronoi polygon, by spade, that the ray through them meets.
 
-use crate::page::{Graphics, Page, Picture};
+use crate::engines::{Engine, Graphics};
+use crate::page::{Page, Picture};
 use crate::rays::Rays;
 use clonal_mosaic::mosaic::{Piece, polygons};
 use clonal_mosaic::plants;
@@ -23,12 +24,12 @@ const AWAY_FROM_BORDERS_PX: f32 = 2.5;
 
 #[test]
 fn webgpu_paints_the_voronoi_polygons() {
-    pixels_agree(Graphics::WebGpu, "webgpu");
+    pixels_agree(Graphics::WebGpu);
 }
 
 #[test]
 fn webgl2_paints_the_voronoi_polygons() {
-    pixels_agree(Graphics::WebGl2, "webgl2");
+    pixels_agree(Graphics::WebGl2);
 }
 
 #[test]
@@ -41,9 +42,10 @@ fn webgl2_tints_red_towards_the_rim() {
     tints_agree(Graphics::WebGl2);
 }
 
-fn pixels_agree(graphics: Graphics, backend: &str) {
-    let Some(page) = Page::open(graphics, &format!("#{LINK}")) else { return };
-    assert_eq!(page.ready().backend, backend);
+pub fn pixels_agree(engine: impl Into<Engine>) {
+    let engine = engine.into();
+    let Some(page) = Page::open(engine, &format!("#{LINK}")) else { return };
+    assert_eq!(page.ready().backend, engine.backend());
     let picture = page.picture();
     let (mut agree, mut differ, mut unclear) = (0, 0, 0);
     for (rgb, _, kind) in Polygons::grow(LINK, &picture).samples(&picture) {
@@ -60,8 +62,8 @@ fn pixels_agree(graphics: Graphics, backend: &str) {
 }
 
 /// The more the control images tint red cells, the more green is in their pixels.
-fn tints_agree(graphics: Graphics) {
-    let Some(page) = Page::open(graphics, &format!("#{WHOLE_CAP}")) else { return };
+pub fn tints_agree(engine: impl Into<Engine>) {
+    let Some(page) = Page::open(engine, &format!("#{WHOLE_CAP}")) else { return };
     page.ready();
     let picture = page.picture();
     let scene = Polygons::grow(WHOLE_CAP, &picture);

@@ -1,6 +1,7 @@
 //! The page under its content security policy: it runs, asks no other host, and the console is empty.
 
-use crate::page::{Graphics, Page};
+use crate::engines::Graphics;
+use crate::page::Page;
 use crate::server::{Server, dist};
 
 const LINK: &str = "#watermelon?v=1&s=2&d=3";

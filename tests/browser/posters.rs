@@ -1,7 +1,8 @@
 //! `./playground posters`: the stills of all plants and figures, drawn by the page itself. They are
 //! left as PNG files in `target/posters`; the script makes AVIF of them.
 
-use crate::page::{Graphics, Page, from_base64};
+use crate::engines::Graphics;
+use crate::page::{Page, from_base64};
 use crate::start::preset_link;
 use clonal_mosaic::plants;
 use clonal_mosaic::play::figures::FIGURES;

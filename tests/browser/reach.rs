@@ -1,6 +1,7 @@
 //! A page for everybody: on a phone, by keyboard alone, with reduced motion.
 
-use crate::page::{Graphics, Page, keys};
+use crate::engines::Graphics;
+use crate::page::{Page, keys};
 use serde_json::json;
 
 const LINK: &str = "#watermelon?v=1&s=2&d=3";

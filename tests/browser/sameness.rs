@@ -1,6 +1,7 @@
 //! The same scene is the same cells: in the worker, natively, and for whoever opens the link.
 
-use crate::page::{Graphics, Page};
+use crate::engines::Graphics;
+use crate::page::Page;
 use clonal_mosaic::plants;
 use clonal_mosaic::play::link;
 use clonal_mosaic::tissue::Progress;

@@ -1,6 +1,7 @@
 //! What lies before the first live picture: bytes and milliseconds.
 
-use crate::page::{Graphics, Page};
+use crate::engines::Graphics;
+use crate::page::Page;
 use crate::server::dist;
 use clonal_mosaic::plants;
 use clonal_mosaic::play::{FIRST_INDIVIDUAL, Scene, link};

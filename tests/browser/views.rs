@@ -1,7 +1,8 @@
 //! What may be seen on the body in place of its cells: each pixel shows what the model says of the
 //! place that the ray through it meets.
 
-use crate::page::{Graphics, Page, Picture};
+use crate::engines::{Engine, Graphics};
+use crate::page::{Page, Picture};
 use crate::rays::Rays;
 use clonal_mosaic::plants;
 use clonal_mosaic::play::link;
@@ -23,8 +24,8 @@ fn webgl2_draws_what_leads_the_cells() {
     views_agree(Graphics::WebGl2);
 }
 
-fn views_agree(graphics: Graphics) {
-    let Some(page) = Page::open(graphics, &format!("#{LINK}")) else { return };
+pub fn views_agree(engine: impl Into<Engine>) {
+    let Some(page) = Page::open(engine, &format!("#{LINK}")) else { return };
     let state = page.ready();
     let cells = page.picture();
     let scene = link::read(LINK, plants::all()).scene;

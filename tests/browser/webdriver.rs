@@ -1,10 +1,12 @@
 //! As much of the WebDriver protocol (W3C, <https://www.w3.org/TR/webdriver2/>) as these tests need:
-//! JSON over HTTP to a chromedriver of our own.
+//! JSON over HTTP to a driver of our own, which each browser has.
 
+use crate::engines::Screen;
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
-use std::net::TcpStream;
+use std::net::{TcpListener, TcpStream};
 use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
 
 /// The key under which WebDriver hands out elements.
 const ELEMENT: &str = "element-6066-11e4-a52e-4f735466cecf";
@@ -14,46 +16,31 @@ pub struct WebDriver {
     driver: Child,
     port: u16,
     session: String,
+    /// Goes after the browser that draws on it.
+    _screen: Option<Screen>,
 }
 
 /// An element of the page.
 pub struct Element(String);
 
-/// Starts chromedriver; the port that it tells.
-fn start_driver(chromedriver: &str) -> Option<(Child, u16)> {
-    let mut driver = Command::new(chromedriver)
-        .arg("--port=0")
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap_or_else(|e| panic!("{chromedriver} does not start: {e}"));
-    let told = BufReader::new(driver.stdout.take().expect("a piped output")).lines();
-    let port = told.map_while(Result::ok).find_map(|line| {
-        let (_, port) = line.split_once("successfully on port ")?;
-        port.trim_end_matches('.').parse().ok()
-    });
-    if port.is_none() {
-        let _ = driver.wait();
-    }
-    Some((driver, port?))
-}
-
 impl WebDriver {
-    /// Starts chromedriver and a Chromium with these arguments.
-    pub fn start(chromedriver: &str, chromium: &str, arguments: &[&str]) -> WebDriver {
-        // On a busy machine chromedriver may end before it has begun.
-        let started = (0..3).find_map(|_| start_driver(chromedriver));
-        let (driver, port) = started.expect("chromedriver tells its port");
-        let mut browser = WebDriver { driver, port, session: String::new() };
-        let options = json!({ "binary": chromium, "args": arguments });
-        let wanted = json!({
-            "goog:chromeOptions": options,
-            "goog:loggingPrefs": { "browser": "ALL" },
-        });
+    /// Starts a driver, and with it a browser of these capabilities, on a screen if it needs one.
+    pub fn start(driver: &str, screen: Option<Screen>, wanted: Value) -> WebDriver {
+        let display = screen.as_ref().map(|screen| screen.display.as_str());
+        // On a busy machine a driver may end before it has begun, or find its port taken.
+        let started = (0..3).find_map(|_| start_driver(driver, display));
+        let (driver, port) = started.unwrap_or_else(|| panic!("{driver} does not answer"));
+        let mut browser = WebDriver { driver, port, session: String::new(), _screen: screen };
         let session =
             browser.call("POST", "/session", json!({ "capabilities": { "alwaysMatch": wanted } }));
         browser.session = session["sessionId"].as_str().expect("a session").to_string();
         browser
+    }
+
+    /// Makes the window this large, its frame included.
+    #[track_caller]
+    pub fn resize(&self, width: u32, height: u32) {
+        self.post("window/rect", json!({ "width": width, "height": height }));
     }
 
     #[track_caller]
@@ -95,6 +82,25 @@ impl WebDriver {
         self.post("actions", json!({ "actions": [keyboard] }));
     }
 
+    /// Drags with the mouse from the middle of an element.
+    #[track_caller]
+    pub fn drag(&self, element: &Element, right_px: i32, down_px: i32) {
+        let moves = |x: i32, y: i32, origin: Value| {
+            json!({
+                "type": "pointerMove", "duration": 50, "x": x, "y": y, "origin": origin,
+            })
+        };
+        let strokes = json!([
+            moves(0, 0, json!({ ELEMENT: element.0 })),
+            { "type": "pointerDown", "button": 0 },
+            moves(right_px / 2, down_px / 2, json!("pointer")),
+            moves(right_px / 2, down_px / 2, json!("pointer")),
+            { "type": "pointerUp", "button": 0 },
+        ]);
+        let mouse = json!({ "type": "pointer", "id": "mouse", "actions": strokes });
+        self.post("actions", json!({ "actions": [mouse] }));
+    }
+
     /// An element as it is on the screen, as a PNG in base 64.
     #[track_caller]
     pub fn screenshot(&self, element: &Element) -> String {
@@ -102,7 +108,7 @@ impl WebDriver {
         self.call("GET", &path, Value::Null).as_str().expect("a picture").to_string()
     }
 
-    /// A command of the Chrome DevTools Protocol.
+    /// A command of the Chrome DevTools Protocol: for Chromium alone.
     #[track_caller]
     pub fn devtools(&self, command: &str, parameters: Value) -> Value {
         self.post("goog/cdp/execute", json!({ "cmd": command, "params": parameters }))
@@ -115,15 +121,16 @@ impl WebDriver {
     }
 
     /// What the console has said since the last call, without mere remarks.
-    #[track_caller]
     pub fn complaints(&self) -> Vec<String> {
         self.console(&["SEVERE"])
     }
 
-    /// What the console has said on these levels since the last call.
-    #[track_caller]
+    /// What the console has said on these levels since the last call. Chromium alone tells it; the others
+    /// say nothing.
     pub fn console(&self, levels: &[&str]) -> Vec<String> {
-        let entries = self.post("se/log", json!({ "type": "browser" }));
+        let log = format!("/session/{}/se/log", self.session);
+        let answer = request(self.port, "POST", &log, &json!({ "type": "browser" }));
+        let entries = answer.map(|answer| answer["value"].clone()).unwrap_or_default();
         let entries = entries.as_array().cloned().unwrap_or_default();
         entries
             .iter()
@@ -146,7 +153,7 @@ impl WebDriver {
         match request(self.port, method, path, &body) {
             Ok(answer) if answer["value"]["error"].is_null() => answer["value"].clone(),
             Ok(answer) => panic!("{method} {path} {body}: {}", answer["value"]["message"]),
-            Err(e) => panic!("{method} {path}: chromedriver does not answer: {e}"),
+            Err(e) => panic!("{method} {path}: the driver does not answer: {e}"),
         }
     }
 }
@@ -159,6 +166,38 @@ impl Drop for WebDriver {
         let _ = self.driver.kill();
         let _ = self.driver.wait();
     }
+}
+
+/// A port that nobody listens at.
+pub fn free_port() -> u16 {
+    let free = TcpListener::bind("127.0.0.1:0").and_then(|listener| listener.local_addr());
+    free.expect("a free port").port()
+}
+
+/// How long a driver may take until it listens.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// Starts a driver on a free port; none if it does not begin to answer.
+fn start_driver(driver: &str, display: Option<&str>) -> Option<(Child, u16)> {
+    let port = free_port();
+    let mut command = Command::new(driver);
+    command.arg(format!("--port={port}")).stdout(Stdio::null()).stderr(Stdio::null());
+    if let Some(display) = display {
+        // Without a graphics card the browser's own list of cards would forbid it to draw.
+        command.env("DISPLAY", display).env("LIBGL_ALWAYS_SOFTWARE", "1");
+    }
+    let mut child = command.spawn().unwrap_or_else(|e| panic!("{driver} does not start: {e}"));
+    let begun = Instant::now();
+    while begun.elapsed() < PATIENCE && matches!(child.try_wait(), Ok(None)) {
+        if request(port, "GET", "/status", &Value::Null).is_ok_and(|s| s["value"]["ready"] == true)
+        {
+            return Some((child, port));
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    let _ = child.kill();
+    let _ = child.wait();
+    None
 }
 
 fn request(port: u16, method: &str, path: &str, body: &Value) -> std::io::Result<Value> {
