@@ -5,21 +5,46 @@ use super::dom::{document, find, set_attribute, set_flag, window};
 use super::files::{self, in_bundles, is_held};
 use js_sys::Promise;
 use wasm_bindgen::prelude::*;
-use wasm_bindgen_futures::JsFuture;
 use web_sys::{Element, HtmlCanvasElement, HtmlScriptElement};
 
 /// Loads the bundle for WebGL2 where there is nothing better, else the small one for WebGPU: that
 /// one can show the still picture just as well.
 ///
 /// What there is to draw with takes longest to find out, so it is asked first, while the rest of the
-/// page is still being read.
-pub async fn boot() {
+/// page is still being read. Nothing here is a future: what runs those is a kilobyte.
+pub fn boot() {
     let adapter = ask_for_adapter();
-    page_is_read().await;
-    // What is told where nothing of this runs.
-    find::<Element>("stuck").remove();
-    show_poster();
-    // A bundle may fail after its script came: its WebAssembly is refused, or too new for the browser.
+    let begin = move || {
+        // What is told where nothing of this runs.
+        find::<Element>("stuck").remove();
+        show_poster();
+        tell_failed_bundles();
+        match adapter {
+            Some(adapter) => {
+                let answered = Closure::once(|adapter: JsValue| choose(adapter.is_truthy()));
+                let refused = Closure::once(|_: JsValue| choose(false));
+                let _ = adapter.then2(&answered, &refused);
+                answered.forget();
+                refused.forget();
+            }
+            None => choose(false),
+        }
+    };
+    if document().ready_state() == "loading" {
+        let begin = Closure::once_into_js(begin);
+        let _ =
+            document().add_event_listener_with_callback("DOMContentLoaded", begin.unchecked_ref());
+    } else {
+        begin();
+    }
+}
+
+fn choose(has_webgpu: bool) {
+    load(if !has_webgpu && has_webgl2() { "page_gl" } else { "page" }, tell_failure);
+}
+
+/// A bundle may fail after its script came: its WebAssembly is refused, or too new for the browser.
+fn tell_failed_bundles() {
     let hear = Closure::<dyn FnMut()>::new(|| {
         if root().get_attribute("data-state").as_deref() == Some("loading") {
             tell_failure();
@@ -27,8 +52,6 @@ pub async fn boot() {
     });
     let hear = hear.into_js_value();
     let _ = window().add_event_listener_with_callback("unhandledrejection", hear.unchecked_ref());
-    let bundle = if !is_there(adapter).await && has_webgl2() { "page_gl" } else { "page" };
-    load(bundle, tell_failure);
 }
 
 /// Says that nothing runs until the next bundle does.
@@ -89,29 +112,12 @@ fn append_to_head(element: &Element) {
     let _ = document().head().expect("a page has a head").append_child(element);
 }
 
-/// Until the whole of the HTML stands in the document.
-async fn page_is_read() {
-    if document().ready_state() == "loading" {
-        let read = Promise::new(&mut |resolve, _| {
-            let _ = document().add_event_listener_with_callback("DOMContentLoaded", &resolve);
-        });
-        let _ = JsFuture::from(read).await;
-    }
-}
-
 /// Asks the browser, if it has WebGPU, for something to run it on.
 fn ask_for_adapter() -> Option<Promise> {
     let gpu = js_sys::Reflect::get(&window().navigator(), &"gpu".into()).ok()?;
     let ask = js_sys::Reflect::get(&gpu, &"requestAdapter".into()).ok()?;
     let asked = ask.dyn_ref::<js_sys::Function>()?.call0(&gpu).ok()?;
     asked.dyn_into().ok()
-}
-
-async fn is_there(adapter: Option<Promise>) -> bool {
-    match adapter {
-        Some(adapter) => JsFuture::from(adapter).await.is_ok_and(|adapter| adapter.is_truthy()),
-        None => false,
-    }
 }
 
 pub fn has_webgl2() -> bool {

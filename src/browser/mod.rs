@@ -47,8 +47,7 @@ mod worker;
 
 /// Starts the bundle that chooses among the others.
 pub fn start_boot() {
-    console_error_panic_hook::set_once();
-    wasm_bindgen_futures::spawn_local(boot::boot());
+    boot::boot();
 }
 
 /// Starts what a bundle is: the page, or, where it was started as a worker, the worker.

@@ -11,9 +11,11 @@ pub fn unpack(packed: &str) -> String {
     let mut text = String::with_capacity(2 * packed.len());
     let mut before: [Vec<i32>; KINDS.len()] = Default::default();
     for line in packed.lines() {
-        let kind = line.split(' ').next().unwrap_or_default();
-        match KINDS.iter().zip(&mut before).find(|((name, _), _)| *name == kind) {
-            Some((&(_, parts), before)) => unpack_line(line, parts, before, &mut text),
+        let is_of = |(name, _): &(&str, _)| {
+            line.strip_prefix(name).is_some_and(|rest| rest.starts_with(' '))
+        };
+        match KINDS.iter().position(is_of) {
+            Some(kind) => unpack_line(line, KINDS[kind].1, &mut before[kind], &mut text),
             None => text.push_str(line),
         }
         text.push('\n');
@@ -21,36 +23,52 @@ pub fn unpack(packed: &str) -> String {
     text
 }
 
+/// Digits and signs are differences; all else stays.
 fn unpack_line(line: &str, parts: i32, before: &mut Vec<i32>, text: &mut String) {
-    let mut place = 0;
-    for word in line.split_inclusive([' ', '/']) {
-        let digits = word.trim_end_matches([' ', '/']);
-        let Ok(difference) = digits.parse::<i32>() else {
-            text.push_str(word);
+    let (mut place, mut sign, mut difference) = (0, 1, None);
+    for c in line.chars().chain([' ']) {
+        if let Some(digit) = c.to_digit(10) {
+            difference =
+                Some(difference.unwrap_or(0_i32).wrapping_mul(10).wrapping_add(digit as i32));
             continue;
-        };
-        if before.len() == place {
-            before.push(0);
         }
-        let number = before[place].wrapping_add(difference);
-        before[place] = number;
-        place += 1;
-        push_number(number, parts, text);
-        text.push_str(&word[digits.len()..]);
+        if let Some(size) = difference.take() {
+            if before.len() == place {
+                before.push(0);
+            }
+            before[place] = before[place].wrapping_add(size.wrapping_mul(sign));
+            push_number(before[place], parts, text);
+            (place, sign) = (place + 1, 1);
+        }
+        if c == '-' {
+            sign = -1;
+        } else {
+            text.push(c);
+        }
     }
+    text.pop();
 }
 
 /// Writes a number of hundredths, or of wholes, as a decimal.
 fn push_number(number: i32, parts: i32, text: &mut String) {
-    let size = number.unsigned_abs();
     if number < 0 {
         text.push('-');
     }
-    text.push_str(&(size / parts as u32).to_string());
-    if parts > 1 {
-        text.push('.');
-        let hundredths = size % parts as u32;
-        text.extend([hundredths / 10, hundredths % 10].map(|digit| (b'0' + digit as u8) as char));
+    let mut rest = number.unsigned_abs();
+    let mut digits = [b'0'; 10];
+    let mut first = digits.len() - if parts > 1 { 3 } else { 1 };
+    for k in (0..digits.len()).rev() {
+        digits[k] += (rest % 10) as u8;
+        rest /= 10;
+        if digits[k] > b'0' {
+            first = first.min(k);
+        }
+    }
+    for (k, &digit) in digits.iter().enumerate().skip(first) {
+        if parts > 1 && k == digits.len() - 2 {
+            text.push('.');
+        }
+        text.push(char::from(digit));
     }
 }
 
@@ -90,7 +108,7 @@ mod tests {
 
     #[test]
     fn what_was_not_packed_is_left_to_be_refused() {
-        let text = "v one two\n<html>\n";
+        let text = "v one two\nvn 1 2\n<html>\n";
         assert_eq!(unpack(text), text);
     }
 }
