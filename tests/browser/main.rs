@@ -3,13 +3,17 @@
 //! `./playground test` builds the page and fails where Chromium or the page is missing; a plain
 //! `cargo test` skips these tests then, and says so.
 
+mod back;
+mod fields;
 mod figures;
+mod fingers;
 mod graphics;
 mod journeys;
 mod ladder;
 mod losses;
 mod measure;
 mod page;
+mod paper;
 mod pixels;
 mod posters;
 mod rays;
