@@ -5,9 +5,12 @@
 //! `cargo test` skips these tests then, and says so. Firefox and WebKit are skipped, and named, where
 //! they cannot be installed.
 
+mod back;
 mod embedding;
 mod engines;
+mod fields;
 mod figures;
+mod fingers;
 mod graphics;
 mod journeys;
 mod ladder;
@@ -15,6 +18,7 @@ mod losses;
 mod measure;
 mod one_file;
 mod page;
+mod paper;
 mod pixels;
 mod policy;
 mod posters;
