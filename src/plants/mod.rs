@@ -84,9 +84,9 @@ impl Plant {
         })
     }
 
-    /// Whether there is something to see of it from below: it stands in no pot or bed.
-    pub fn has_underside(&self) -> bool {
-        self.look.bare.iter().all(|(material, ..)| *material != "soil")
+    /// Whether it has a bare part of a material.
+    pub fn has_bare(&self, material: &str) -> bool {
+        self.look.bare.iter().any(|(name, ..)| *name == material)
     }
 
     /// Its control images, painted anew, in the order in which they are asked.

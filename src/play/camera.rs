@@ -13,8 +13,10 @@ const FIELD_DEG: f32 = 24.0;
 const ZOOM: [f32; 2] = [0.4, 40.0];
 /// At 90 degrees "up" loses its meaning, and far below the horizon a fruit shows where it lay.
 const ELEVATION_DEG: [f32; 2] = [-60.0, 88.0];
-/// The least for a plant whose pot or bed would hide it from below.
+/// The least for a plant whose pot or bed would hide it from below, and for one on moss: far enough to
+/// look up at the gills, and not yet through the moss into the stem.
 const LOWEST_IN_SOIL_DEG: f32 = -8.0;
+const LOWEST_ON_MOSS_DEG: f32 = -22.0;
 /// How far the middle may be moved aside, in bounding radii: the plant's rim stays in reach.
 const PAN_LIMIT: f32 = 1.2;
 /// Seconds in which the shown orbit does 63% of its way to the wished one. Longer feels heavy,
@@ -91,7 +93,11 @@ impl Orbit {
 
     /// The lowest elevation from which there is something of a plant to see.
     pub fn lowest_deg(plant: &Plant) -> f32 {
-        if plant.has_underside() { ELEVATION_DEG[0] } else { LOWEST_IN_SOIL_DEG }
+        match (plant.has_bare("soil"), plant.has_bare("moss")) {
+            (true, _) => LOWEST_IN_SOIL_DEG,
+            (_, true) => LOWEST_ON_MOSS_DEG,
+            _ => ELEVATION_DEG[0],
+        }
     }
 
     /// The same orbit, or the lowest one that is allowed.
@@ -303,8 +309,11 @@ mod tests {
             let plant = crate::plants::find(key).unwrap();
             orbit().turned(0.0, -500.0).above(Orbit::lowest_deg(plant)).elevation_deg
         };
-        for key in ["mushroom", "amanita", "watermelon", "long-watermelon", "square-watermelon"] {
+        for key in ["watermelon", "long-watermelon", "square-watermelon"] {
             assert_eq!(low(key), -60.0, "{key}");
+        }
+        for key in ["mushroom", "amanita"] {
+            assert_eq!(low(key), -22.0, "{key}");
         }
         for key in ["croton", "cactus", "philodendron", "sansevieria"] {
             assert_eq!(low(key), -8.0, "{key}");
