@@ -11,6 +11,7 @@ use super::gallery::Gallery;
 use super::keyboard;
 use super::mail::{self, Mail};
 use super::messages::Messages;
+use super::offline;
 use super::panel::Panel;
 use super::pointer::Pointer;
 use super::show::ShowChooser;
@@ -22,7 +23,7 @@ use crate::plants;
 use crate::play::canvases::{Canvases, Loss};
 use crate::play::figures::{Figure, asked_figure};
 use crate::play::gallery;
-use crate::play::page::{Effect, Event, Page};
+use crate::play::page::{Effect, Event, Page, State};
 use crate::play::parameters::Parameter;
 use crate::play::protocol::BUILD;
 use std::cell::RefCell;
@@ -314,6 +315,9 @@ impl App {
     fn show_state(&self) {
         let state = self.gallery.as_ref().map_or(self.page.state(), Gallery::state);
         self.controls.show_state(state, &self.page, self.stage.backend());
+        if state == State::Ready {
+            offline::keep_page();
+        }
     }
 
     fn frame(&mut self, now_ms: f64) {

@@ -23,6 +23,7 @@ mod keyboard;
 mod mail;
 #[cfg(feature = "draw")]
 mod messages;
+mod offline;
 #[cfg(feature = "draw")]
 mod panel;
 #[cfg(feature = "draw")]
@@ -42,6 +43,12 @@ mod worker;
 pub fn start_boot() {
     console_error_panic_hook::set_once();
     wasm_bindgen_futures::spawn_local(boot::boot());
+}
+
+/// Starts the service worker, which keeps a build of which all files are named.
+pub fn start_service_worker(build: &str, files: &str) {
+    console_error_panic_hook::set_once();
+    offline::keep(build, files);
 }
 
 /// Starts what a bundle is: the page, or, where it was started as a worker, the worker.

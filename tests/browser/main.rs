@@ -8,10 +8,13 @@
 mod engines;
 mod figures;
 mod graphics;
+mod hosts;
+mod icons;
 mod journeys;
 mod ladder;
 mod losses;
 mod measure;
+mod offline;
 mod page;
 mod pixels;
 mod posters;

@@ -4,6 +4,7 @@ use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
 /// Serves a folder under `http://127.0.0.1:PORT/a/sub/path/` until the tests end, and remembers what
@@ -11,6 +12,7 @@ use std::sync::{Arc, Mutex};
 pub struct Server {
     port: u16,
     requested: Arc<Mutex<Vec<String>>>,
+    is_down: Arc<AtomicBool>,
 }
 
 /// The page must not mind where on a host it lies.
@@ -18,18 +20,37 @@ const PREFIX: &str = "/a/sub/path/";
 
 impl Server {
     pub fn start(folder: &Path) -> Server {
+        Server::with_caching(folder, "max-age=600")
+    }
+
+    /// Lets the browser keep nothing in its own cache.
+    pub fn without_caching(folder: &Path) -> Server {
+        Server::with_caching(folder, "no-store")
+    }
+
+    fn with_caching(folder: &Path, caching: &'static str) -> Server {
         let listener = TcpListener::bind("127.0.0.1:0").expect("a free port");
         let port = listener.local_addr().expect("a bound address").port();
         let requested = Arc::new(Mutex::new(Vec::new()));
         let (folder, log) = (folder.to_path_buf(), requested.clone());
+        let is_down = Arc::new(AtomicBool::new(false));
+        let hangs_up = is_down.clone();
         std::thread::spawn(move || {
             for stream in listener.incoming().flatten() {
+                if hangs_up.load(Ordering::Relaxed) {
+                    continue;
+                }
                 let (folder, log) = (folder.clone(), log.clone());
                 // A browser that hangs up is no concern of ours.
-                std::thread::spawn(move || answer(stream, &folder, &log));
+                std::thread::spawn(move || answer(stream, &folder, caching, &log));
             }
         });
-        Server { port, requested }
+        Server { port, requested, is_down }
+    }
+
+    /// From now on nobody gets an answer, as without a network.
+    pub fn go_down(&self) {
+        self.is_down.store(true, Ordering::Relaxed);
     }
 
     /// The address of the page.
@@ -44,7 +65,12 @@ impl Server {
     }
 }
 
-fn answer(mut stream: TcpStream, folder: &Path, log: &Mutex<Vec<String>>) -> std::io::Result<()> {
+fn answer(
+    mut stream: TcpStream,
+    folder: &Path,
+    caching: &str,
+    log: &Mutex<Vec<String>>,
+) -> std::io::Result<()> {
     let mut lines = BufReader::new(stream.try_clone()?).lines();
     let request = lines.next().unwrap_or(Ok(String::new()))?;
     while lines.next().is_some_and(|line| line.is_ok_and(|line| !line.is_empty())) {}
@@ -66,7 +92,7 @@ fn answer(mut stream: TcpStream, folder: &Path, log: &Mutex<Vec<String>>) -> std
     write!(
         stream,
         "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\n\
-         Cache-Control: max-age=600\r\nConnection: close\r\n\r\n",
+         Cache-Control: {caching}\r\nConnection: close\r\n\r\n",
         bytes.len()
     )?;
     stream.write_all(&bytes)
