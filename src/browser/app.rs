@@ -14,6 +14,7 @@ use super::gallery::{Bookmark, Gallery};
 use super::keyboard;
 use super::mail::{self, Mail};
 use super::messages::Messages;
+use super::offline;
 use super::panel::Panel;
 use super::pointer::Pointer;
 use super::sheet::Sheet;
@@ -26,7 +27,7 @@ use crate::plants;
 use crate::play::canvases::Canvases;
 use crate::play::figures::{Figure, asked_figure};
 use crate::play::gallery;
-use crate::play::page::{Effect, Event, Page};
+use crate::play::page::{Effect, Event, Page, State};
 use crate::play::parameters::Parameter;
 use crate::play::protocol::BUILD;
 use crate::surface::unpack;
@@ -337,6 +338,9 @@ impl App {
     fn show_state(&self) {
         let state = self.gallery.as_ref().map_or(self.page.state(), Gallery::state);
         self.controls.show_state(state, &self.page, self.stage.backend());
+        if state == State::Ready {
+            offline::keep_page();
+        }
     }
 }
 

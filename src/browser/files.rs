@@ -24,6 +24,12 @@ pub fn in_bundles(file: &str) -> String {
     address(&format!("{}/{file}", folder.unwrap_or_default()))
 }
 
+/// Whether this is the edition of one file.
+#[cfg(feature = "draw")]
+pub fn are_in_the_page() -> bool {
+    document().get_element_by_id("posters/croton.avif").is_some()
+}
+
 /// Whether an address leads to what the page itself holds.
 pub fn is_held(address: &str) -> bool {
     address.starts_with("blob:")

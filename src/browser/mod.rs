@@ -26,6 +26,7 @@ mod keyboard;
 mod mail;
 #[cfg(feature = "draw")]
 mod messages;
+mod offline;
 #[cfg(feature = "draw")]
 mod panel;
 #[cfg(feature = "draw")]
@@ -48,6 +49,12 @@ mod worker;
 /// Starts the bundle that chooses among the others.
 pub fn start_boot() {
     boot::boot();
+}
+
+/// Starts the service worker, which keeps a build of which all files are named.
+pub fn start_service_worker(build: &str, files: &str) {
+    console_error_panic_hook::set_once();
+    offline::keep(build, files);
 }
 
 /// Starts what a bundle is: the page, or, where it was started as a worker, the worker.

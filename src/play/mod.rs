@@ -12,6 +12,7 @@ pub mod handed;
 mod history;
 pub mod link;
 mod meshes;
+pub mod offline;
 pub mod outline;
 pub mod page;
 pub mod parameters;

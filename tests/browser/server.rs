@@ -4,6 +4,7 @@ use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 
 /// Serves a folder under `http://127.0.0.1:PORT/a/sub/path/` until the tests end, and remembers what
@@ -11,6 +12,7 @@ use std::sync::{Arc, Mutex};
 pub struct Server {
     port: u16,
     requested: Arc<Mutex<Vec<String>>>,
+    is_down: Arc<AtomicBool>,
 }
 
 /// The page must not mind where on a host it lies.
@@ -23,19 +25,38 @@ impl Server {
 
     /// The same with lines of headers of its own, each with its line end.
     pub fn with_headers(folder: &Path, headers: &str) -> Server {
+        Server::answering(folder, &format!("Cache-Control: max-age=600\r\n{headers}"))
+    }
+
+    /// Lets the browser keep nothing in its own cache.
+    pub fn without_caching(folder: &Path) -> Server {
+        Server::answering(folder, "Cache-Control: no-store\r\n")
+    }
+
+    fn answering(folder: &Path, headers: &str) -> Server {
         let listener = TcpListener::bind("127.0.0.1:0").expect("a free port");
         let port = listener.local_addr().expect("a bound address").port();
         let requested = Arc::new(Mutex::new(Vec::new()));
         let (folder, log) = (folder.to_path_buf(), requested.clone());
         let headers = headers.to_string();
+        let is_down = Arc::new(AtomicBool::new(false));
+        let hangs_up = is_down.clone();
         std::thread::spawn(move || {
             for stream in listener.incoming().flatten() {
+                if hangs_up.load(Ordering::Relaxed) {
+                    continue;
+                }
                 let (folder, log, headers) = (folder.clone(), log.clone(), headers.clone());
                 // A browser that hangs up is no concern of ours.
                 std::thread::spawn(move || answer(stream, &folder, &log, &headers));
             }
         });
-        Server { port, requested }
+        Server { port, requested, is_down }
+    }
+
+    /// From now on nobody gets an answer, as without a network.
+    pub fn go_down(&self) {
+        self.is_down.store(true, Ordering::Relaxed);
     }
 
     /// The address of the page.
@@ -77,7 +98,7 @@ fn answer(
     write!(
         stream,
         "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\n\
-         Cache-Control: max-age=600\r\nConnection: close\r\n{headers}\r\n",
+         Connection: close\r\n{headers}\r\n",
         bytes.len()
     )?;
     stream.write_all(&bytes)
@@ -93,7 +114,7 @@ fn media_type(file: &Path) -> &'static str {
         Some("png") => "image/png",
         Some("avif") => "image/avif",
         Some("ico") => "image/x-icon",
-        Some("obj") => "model/obj",
+        Some("txt") => "text/plain",
         Some("webmanifest" | "json") => "application/json",
         _ => "application/octet-stream",
     }

@@ -73,6 +73,8 @@ fn assert_light(graphics: Graphics, most_bytes: usize) {
         let Some(start) = Start::of(graphics, &preset_link(plant)) else { return };
         let bytes = start.bytes();
         assert!(bytes <= most_bytes, "{}: {bytes} bytes, {:#?}", plant.key, start.files);
+        let is_kept_later = start.files.iter().all(|(name, _)| name != "offline.js");
+        assert!(is_kept_later, "what is for later comes after it: {:#?}", start.files);
     }
 }
 
