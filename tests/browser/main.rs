@@ -7,6 +7,7 @@ mod figures;
 mod graphics;
 mod journeys;
 mod ladder;
+mod light;
 mod losses;
 mod measure;
 mod page;
