@@ -99,14 +99,14 @@ fn pictures_at_rest(graphics: Graphics) {
     page.count_frames();
     page.visit(LINK);
     page.ready();
-    let frames_of_software = page.rest();
+    page.rest();
     let plain = page.picture();
     page.pretend_card();
     page.visit(LINK);
     page.ready();
     let frames = page.rest();
     let mixed = page.picture();
-    assert!(frames >= frames_of_software + 10, "{frames_of_software} and {frames} frames");
+    assert!(frames > 16, "{frames} frames");
     let difference = mixed.difference(&plain);
     assert!((0.02..1.5).contains(&difference), "smoother and else the same: {difference}");
 

@@ -76,8 +76,8 @@ fn passed(colour: vec3f) -> vec3f {
 // where rounded normals look away from the eye.
 fn surface_of(in: Fragment, front: bool, is_thin: bool, colour: vec3f, gloss: f32) -> Surface {
     let outward = normalize(in.normal.xyz);
-    let away = dot(outward, normalize(in.world - scene.eye.xyz));
-    let is_front = front || away < select(0.3, -1.0, is_thin);
+    let away = in.world - scene.eye.xyz;
+    let is_front = front || !is_thin && dot(outward, away) < 0.3 * length(away);
     let open = vec2f(in.normal.w, in.bent.w);
     return Surface(in.world, select(-outward, outward, is_front), colour, gloss,
                    select(open.yx, open, is_front), normalize(select(-outward, in.bent.xyz, is_front)),
@@ -126,8 +126,11 @@ fn fs_body(in: Fragment, @builtin(front_facing) front: bool) -> @location(0) vec
     bend += unevenness(in.world, max(length(world_dx), length(world_dy)));
     surface.normal = normalize(normal + bend);
     // The thicker the wax is on the way to the eye, the paler and the duller.
-    let n_view = max(dot(surface.normal, normalize(scene.eye.xyz - in.world)), 0.1);
-    let wax = 1.0 - exp(-scene.skin.x / n_view);
+    var wax = scene.skin.x;
+    if wax > 0.0 {
+        let n_view = max(dot(surface.normal, normalize(scene.eye.xyz - in.world)), 0.1);
+        wax = 1.0 - exp(-wax / n_view);
+    }
     surface.colour = mix(colour, vec3f(0.52, 0.60, 0.56), wax);
     surface.gloss = scene.look.z * tiles.colour.w * (1.0 - 0.5 * below) * (1.0 - wax);
     return to_screen(shade(surface), in.clip);

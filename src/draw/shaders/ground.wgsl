@@ -25,7 +25,7 @@ fn fs_ground(in: GroundFragment) -> @location(0) vec4f {
     // Sharp at the foot, soft where what casts it stands high.
     let near = smoothstep(0.15, 0.9, in.darkness.z);
     var lamp = in.darkness.y;
-    if near > 0.0 {
+    if near * lamp > 0.004 {
         lamp = mix(lamp, 1.0 - key_visibility(on_ground(in.out)), near);
     }
     let contact = smoothstep(0.35, 0.75, in.darkness.x);

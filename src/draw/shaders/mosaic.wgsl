@@ -150,9 +150,11 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
             let steep = to_border / (1.7 * half_line);
             slope += across * (parted * exp(-steep * steep));
             let step = scene.tinted[kind_of(first.tag)].w - scene.tinted[kind_of(other.tag)].w;
-            let near = parted * (1.0 - smoothstep(0.0, 0.5, to_border / spacing));
-            bank += across * (max(step, 0.0) * near);
-            shade = max(shade, -0.5 * step * near * near);
+            if step != 0.0 {
+                let near = parted * (1.0 - smoothstep(0.0, 0.5, to_border / spacing));
+                bank += across * (max(step, 0.0) * near);
+                shade = max(shade, -0.5 * step * near * near);
+            }
         }
         // Cells are a little domed, where they are large enough to see it.
         slope *= 0.16 * smoothstep(8.0, 24.0, spacing / pixel);

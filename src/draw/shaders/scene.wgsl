@@ -88,7 +88,7 @@ struct Surface {
 
 // What is matt, faces the key light and sees the whole sky gets 1 of them together, so that it has its own
 // colour on the screen.
-const KEY = vec3f(0.62, 0.605, 0.575);
+const KEY = vec3f(0.645, 0.63, 0.60);
 const SKY = vec3f(0.36, 0.38, 0.42);
 const SOIL = vec3f(0.30, 0.26, 0.20);
 const DARK_SOIL = vec3f(0.13, 0.12, 0.11);
@@ -96,6 +96,9 @@ const DARK_SOIL = vec3f(0.13, 0.12, 0.11);
 const FILL = vec3f(0.05);
 const RIM = vec3f(0.45, 0.46, 0.48);
 const RIM_WAY = vec3f(0.42, 0.42, -0.80);
+// To the right of whom the key lamp, and the rim lamp, looks at.
+const KEY_RIGHT = vec3f(0.677, 0.0, 0.736);
+const RIM_RIGHT = vec3f(-0.885, 0.0, -0.465);
 
 // Share of the key light that reaches a point: nine comparisons, each already a blend of four
 // texels, spread so that their tents just overlap and the edge of the shadow is smooth.
@@ -131,14 +134,16 @@ fn studio(way: vec3f, spread: f32) -> vec3f {
 
 // A window of four panes in the mirror of a surface: its middle, and half its width and height from one
 // unit away.
-fn window(way: vec3f, middle: vec3f, half_size: vec2f, blur: f32) -> f32 {
-    let right = normalize(vec3f(middle.z, 0.0, -middle.x));
+fn window(way: vec3f, middle: vec3f, right: vec3f, half_size: vec2f, blur: f32) -> f32 {
     let ahead = dot(way, middle);
-    let place = abs(vec2f(dot(way, right), dot(way, cross(middle, right)))) / max(ahead, 0.1);
+    if ahead < 0.1 {
+        return 0.0;
+    }
+    let place = abs(vec2f(dot(way, right), dot(way, cross(middle, right)))) / ahead;
     let inside = 1.0 - smoothstep(half_size - blur, half_size + blur, place);
     let panes = smoothstep(vec2f(0.03 - blur), vec2f(0.03 + blur), place);
     let bars = mix(1.0, panes.x * panes.y, max(1.0 - 5.0 * blur, 0.0));
-    return step(0.1, ahead) * inside.x * inside.y * bars;
+    return inside.x * inside.y * bars;
 }
 
 // Share of what surrounds a mirror that it sends on, as scale and bias of what it mirrors straight on (Karis,
@@ -179,6 +184,13 @@ fn shade(surface: Surface) -> vec3f {
     // What bends within a pixel is rougher for it (Kaplanyan and others, Filtering Distributions of Normals
     // for Shading Antialiasing).
     let bend = fwidth(normal);
+    // What is matt sends on as much of all its light, whatever its colour, as the tone takes off again.
+    let least = min(surface.colour.r, min(surface.colour.g, surface.colour.b));
+    let matt = light * select(0.04, 0.4 * sqrt(least) - least, least < 0.04);
+    let diffuse = surface.colour * light + surface.through * beyond;
+    if surface.gloss <= 0.0 {
+        return diffuse + matt;
+    }
     let rough = mix(0.75, 0.14, surface.gloss);
     let rough2 = rough * rough;
     let roughness = sqrt(sqrt(rough2 * rough2 + min(0.25 * dot(bend, bend), 0.18)));
@@ -188,12 +200,10 @@ fn shade(surface: Surface) -> vec3f {
     let cone = sqrt(1.0 - min(surface.open.x, 1.0));
     let free = smoothstep(cone - 0.3 - 0.4 * roughness, cone + 0.2, dot(way, surface.bent));
     let seen = studio(way, 0.2 + 0.8 * roughness) * free
-        + KEY * (6.0 * window(way, key, vec2f(0.34, 0.5), blur) * lit)
-        + RIM * (3.0 * window(way, RIM_WAY, vec2f(0.8, 0.4), blur) * free);
+        + KEY * (6.0 * window(way, key, KEY_RIGHT, vec2f(0.34, 0.5), blur) * lit)
+        + RIM * (3.0 * window(way, RIM_WAY, RIM_RIGHT, vec2f(0.8, 0.4), blur) * free);
     let share = mirrored_share(roughness, n_view);
-    // What is matt sends 4 % of all its light on, which the tone takes off again.
-    let mirror = mix(0.04 * light, seen * (0.04 * share.x + share.y), smoothstep(0.0, 0.3, surface.gloss));
-    return surface.colour * light + surface.through * beyond + mirror;
+    return diffuse + mix(matt, seen * (0.04 * share.x + share.y), smoothstep(0.0, 0.3, surface.gloss));
 }
 
 // Colours stay what they are, less 4 % that a white light adds by the mirror of every surface, and those
