@@ -77,7 +77,7 @@ fn passed(colour: vec3f) -> vec3f {
 fn surface_of(in: Fragment, front: bool, is_thin: bool, colour: vec3f, gloss: f32) -> Surface {
     let outward = normalize(in.normal.xyz);
     let away = in.world - scene.eye.xyz;
-    let is_front = front || !is_thin && dot(outward, away) < 0.3 * length(away);
+    let is_front = front || (!is_thin && dot(outward, away) < 0.3 * length(away));
     let open = vec2f(in.normal.w, in.bent.w);
     return Surface(in.world, select(-outward, outward, is_front), colour, gloss,
                    select(open.yx, open, is_front), normalize(select(-outward, in.bent.xyz, is_front)),
