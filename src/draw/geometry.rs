@@ -39,7 +39,7 @@ pub struct GroundCorner {
 pub struct Bounds {
     pub centre: Vec3,
     pub radius: f32,
-    lowest: f32,
+    pub lowest: f32,
 }
 
 /// Everything of a body that is drawn.
@@ -60,7 +60,7 @@ const GROUND_RINGS: u32 = 56;
 const GROUND_SECTORS: u32 = 96;
 
 /// How far above the ground, in radii of the body, that stands whose shadow has no edge any more.
-const SOFT_RADII: f32 = 1.0;
+const SOFT_RADII: f32 = 0.6;
 
 /// The names of the bare materials of a body; what comes after the last place shares the first.
 fn materials(body: &Body) -> Vec<&str> {
@@ -255,4 +255,18 @@ fn smoothed(mut darkness: Vec<Vec3>) -> Vec<Vec3> {
         }
     }
     darkness
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_take_little_memory_and_keep_their_light() {
+        assert!(size_of::<Corner>() <= 44);
+        let light = Skylight { front: 1.0, back: 0.25, bent: Vec3::NEG_X };
+        let corner = Corner::new(Vec3::ONE, Vec3::Y, &light);
+        assert_eq!(corner.normal, [0, i16::MAX, 0, i16::MAX]);
+        assert_eq!(corner.bent, [-i8::MAX, 0, 0, i8::MAX / 4]);
+    }
 }

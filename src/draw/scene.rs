@@ -144,3 +144,40 @@ fn linear(srgb: [f32; 3]) -> Vec3 {
         srgb.map(|c| if c <= 0.04045 { c / 12.92 } else { libm::powf((c + 0.055) / 1.055, 2.4) }),
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3Swizzles;
+    use glam::camera::rh::{proj::directx::perspective, view::look_at_mat4};
+
+    /// Where a point is seen in each picture of a still one, in pixels from where the frame shows it.
+    fn moves(point: Vec3) -> Vec<Vec2> {
+        let bounds = Bounds { centre: Vec3::ZERO, radius: 10.0, lowest: -10.0 };
+        let eye = Vec3::new(0.0, 0.0, 50.0);
+        let view = perspective(0.5, 2.0, 1.0, 100.0) * look_at_mat4(eye, Vec3::ZERO, Vec3::Y);
+        let frame = Frame { view_projection: view, eye, moment: 1.0, dark: false };
+        let mut scene = Scene::zeroed();
+        scene.set_size(1000, 500);
+        let seen = |view: Mat4| view.project_point3(point).xy() * Vec2::new(500.0, 250.0);
+        let from = seen(view);
+        (0..STILL_PICTURES)
+            .map(|picture| {
+                scene.set_frame(&frame, &bounds, picture);
+                seen(scene.view_projection) - from
+            })
+            .collect()
+    }
+
+    #[test]
+    fn the_pictures_of_a_still_one_share_a_pixel_and_a_breath_of_blur() {
+        let middle = moves(Vec3::ZERO);
+        assert!(middle[0].length() < 1e-3, "the first is the frame itself: {}", middle[0]);
+        assert!(middle.iter().all(|by| by.abs().max_element() <= 0.501), "{middle:?}");
+        let mean = middle.iter().sum::<Vec2>() / middle.len() as f32;
+        assert!(mean.length() < 0.1, "evenly spread: {mean}");
+        let behind = moves(Vec3::new(0.0, 0.0, -10.0));
+        let lens = middle.iter().zip(&behind).map(|(a, b)| (*a - *b).length()).fold(0.0, f32::max);
+        assert!((0.2..0.6).contains(&lens), "{lens} pixels at the far side of the body");
+    }
+}

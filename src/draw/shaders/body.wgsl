@@ -58,7 +58,7 @@ fn veins(uv: vec2f, uv_dx: vec2f, uv_dy: vec2f) -> Veins {
 // where they are wide enough to be seen.
 fn unevenness(world: vec3f, pixel: f32) -> vec3f {
     let scale = 2.2 / scene.tissue.x;
-    let fade = scene.skin.y * (1.0 - smoothstep(0.2, 0.6, pixel * scale));
+    let fade = scene.skin.y * (1.0 - smoothstep(0.15, 0.35, pixel * scale));
     if fade <= 0.0 {
         return vec3f(0.0);
     }

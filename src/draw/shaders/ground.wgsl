@@ -26,7 +26,7 @@ fn fs_ground(in: GroundFragment) -> @location(0) vec4f {
     let near = smoothstep(0.15, 0.9, in.darkness.z);
     var lamp = in.darkness.y;
     if near * lamp > 0.004 {
-        lamp = mix(lamp, 1.0 - key_visibility(on_ground(in.out)), near);
+        lamp = mix(lamp, 1.0 - key_visibility(on_ground(in.out), 0.5), near);
     }
     let contact = smoothstep(0.35, 0.75, in.darkness.x);
     let sky = mix(0.5, 0.75, dark_stage) * in.darkness.x * (1.0 + 0.5 * contact);

@@ -100,20 +100,20 @@ const RIM_WAY = vec3f(0.42, 0.42, -0.80);
 const KEY_RIGHT = vec3f(0.677, 0.0, 0.736);
 const RIM_RIGHT = vec3f(-0.885, 0.0, -0.465);
 
-// Share of the key light that reaches a point: nine comparisons, each already a blend of four
-// texels, spread so that their tents just overlap and the edge of the shadow is smooth.
-fn key_visibility(point: vec3f) -> f32 {
+// Share of the key light that reaches a point: comparisons in a square (`reach` 1: nine, 0.5: four), each
+// already a blend of four texels, spread so that their tents just overlap and the edge of the shadow is smooth.
+fn key_visibility(point: vec3f, reach: f32) -> f32 {
     let clip = (scene.light_projection * vec4f(point, 1.0)).xyz;
     let middle = clip.xy * vec2f(0.5, -0.5) + 0.5;
     let step = 1.9 / vec2f(textureDimensions(shadow_map));
     var sum = 0.0;
-    for (var y = -1.0; y < 1.5; y += 1.0) {
-        for (var x = -1.0; x < 1.5; x += 1.0) {
+    for (var y = -reach; y < 1.5 * reach; y += 1.0) {
+        for (var x = -reach; x < 1.5 * reach; x += 1.0) {
             sum += textureSampleCompareLevel(shadow_map, shadow_sampler,
                                              middle + vec2f(x, y) * step, clip.z);
         }
     }
-    return sum / 9.0;
+    return sum / ((2.0 * reach + 1.0) * (2.0 * reach + 1.0));
 }
 
 // Share of the light from all around that comes to a surface, with what its surroundings, taken to be of
@@ -167,7 +167,7 @@ fn shade(surface: Surface) -> vec3f {
     let lift = scene.key.w * (1.0 + 3.0 * (1.0 - abs(n_key)));
     var lit = 0.0;
     if n_key > 0.0 || is_leaf {
-        lit = key_visibility(surface.world + normal * select(-lift, lift, n_key > 0.0));
+        lit = key_visibility(surface.world + normal * select(-lift, lift, n_key > 0.0), 1.0);
     }
     // Where light grazes flesh or clay it fades before the shadow map can show its grain, red the last.
     let spread = select(vec3f(0.05, 0.08, 0.11), vec3f(0.0), is_leaf);
