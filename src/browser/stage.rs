@@ -36,6 +36,8 @@ pub struct Stage {
     /// The last frame that it drew of that, and in which size.
     frame: Option<Frame>,
     frame_px: (u32, u32),
+    /// So many pictures of it were mixed since it rests.
+    pictures: u32,
     size_px: (u32, u32),
     detail: Detail,
     _resize: ResizeObserver,
@@ -69,6 +71,8 @@ struct Picture<'a> {
     camera: &'a Camera,
     moment: f32,
     size_px: (u32, u32),
+    /// Whether it stays as it is when it rests.
+    calm: bool,
 }
 
 /// The cells of a day of a growth.
@@ -84,6 +88,12 @@ struct Cells<'a> {
 pub struct Drawn {
     /// With all its pixels.
     pub sharp: bool,
+    /// As good as it gets: nothing more is to be drawn of it.
+    pub done: bool,
+}
+
+impl Drawn {
+    pub const DONE: Drawn = Drawn { sharp: true, done: true };
 }
 
 impl Stage {
@@ -104,6 +114,7 @@ impl Stage {
             handed: Handed::default(),
             frame: None,
             frame_px: (0, 0),
+            pictures: 0,
             size_px: (0, 0),
             detail: Detail::new(false),
             _resize: resize,
@@ -184,7 +195,7 @@ impl Stage {
     fn draw(&mut self, page: &Page, dark: bool, seconds: f64) -> Result<Option<Drawn>, DrawError> {
         let picture = Picture::of(page, self.size_px);
         if self.handed.refuses(&picture.wanted()) {
-            return Ok(Some(Drawn { sharp: true }));
+            return Ok(Some(Drawn::DONE));
         }
         let drawn = self.portray(&picture, dark, Some(seconds))?;
         // Once more: with these cells the live picture may take the poster's place.
@@ -226,6 +237,7 @@ impl Stage {
             camera: &Camera::new(shown.scene.orbit),
             moment: 1.0,
             size_px: (canvas.width(), canvas.height()),
+            calm: true,
         };
         self.copy_picture(&picture, dark, pen)
     }
@@ -267,7 +279,7 @@ impl Stage {
         seconds: Option<f64>,
     ) -> Result<Option<Drawn>, DrawError> {
         if let Graphics::None = self.graphics {
-            return Ok(Some(Drawn { sharp: true }));
+            return Ok(Some(Drawn::DONE));
         }
         let wanted = picture.wanted();
         let key = wanted.plant;
@@ -292,7 +304,7 @@ impl Stage {
         if !self.handed.has_cells() {
             // The poster stands there still; a frame of the bare body would only delay the first
             // one with cells.
-            return Ok(Some(Drawn { sharp: true }));
+            return Ok(Some(Drawn::DONE));
         }
         let (width, height) = picture.size_px;
         let frame = Frame {
@@ -304,16 +316,22 @@ impl Stage {
         let changes = self.frame != Some(frame);
         let share = seconds.map_or(1.0, |seconds| self.detail.share(seconds, changes));
         let size_px = [width, height].map(|px| (f64::from(px) * share).round() as u32).into();
+        let sharp = size_px == picture.size_px;
+        let pictures = if picture.calm { 0 } else { renderer.still_pictures() };
         if changes || self.frame_px != size_px {
             renderer.resize(size_px.0, size_px.1);
-            renderer.draw(&frame)?;
+            renderer.draw(&frame, None)?;
             self.frame = Some(frame);
             self.frame_px = size_px;
             let half = Vec2::new(width as f32, height as f32) / width.min(height) as f32;
             let is_empty = !on_stage.outline(picture.camera).is_in_sight(half);
             set_flag(&self.element, "data-empty", is_empty);
+            self.pictures = 0;
+        } else if sharp && self.pictures < pictures {
+            renderer.draw(&frame, Some(self.pictures))?;
+            self.pictures += 1;
         }
-        Ok(Some(Drawn { sharp: size_px == picture.size_px }))
+        Ok(Some(Drawn { sharp, done: sharp && self.pictures >= pictures }))
     }
 
     /// The poster stands in until cells are drawn.
@@ -354,6 +372,7 @@ impl<'a> Picture<'a> {
             camera: page.camera(),
             moment: shown.day.as_ref().map_or(1.0, |day| day.moment),
             size_px,
+            calm: page.less_motion(),
         }
     }
 
