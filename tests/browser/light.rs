@@ -1,6 +1,7 @@
 //! The light of the pictures: leaves pass it, colours keep what they are, and what rests gets better.
 
-use crate::page::{Graphics, Page, Picture, keys};
+use crate::engines::Graphics;
+use crate::page::{Page, Picture, keys};
 use crate::rays::Rays;
 use clonal_mosaic::plants;
 use clonal_mosaic::play::link;
