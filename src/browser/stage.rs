@@ -1,19 +1,18 @@
 //! The stage: the canvas, its renderer, and what has been handed to it.
 
+mod picture;
+
 use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
 use super::files;
-use crate::draw::{DrawError, Frame, Geometry, Renderer};
-use crate::mosaic::SiteLists;
-use crate::plants::{BodyError, Look, Plant, Show};
-use crate::play::camera::{Camera, Sphere};
+use crate::draw::{DrawError, Frame, Renderer};
+use crate::play::camera::Camera;
 use crate::play::detail::Detail;
 use crate::play::gallery::ShownPicture;
-use crate::play::handed::{Handed, Part, Wanted};
-use crate::play::outline::Outline;
+use crate::play::handed::Handed;
 use crate::play::page::{Page, Shown};
-use crate::surface::Body;
 use glam::Vec2;
+use picture::{Cells, OnStage, Picture};
 use wasm_bindgen::prelude::*;
 use web_sys::{
     CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, HtmlImageElement, ResizeObserver,
@@ -51,36 +50,6 @@ enum Graphics {
     Running(Box<Renderer>),
     /// Neither WebGPU nor WebGL2: the still picture stays.
     None,
-}
-
-struct OnStage {
-    body: Body,
-    geometry: Geometry,
-    sphere: Sphere,
-}
-
-/// What is to be drawn.
-struct Picture<'a> {
-    plant: &'static Plant,
-    look: &'a Look,
-    show: Show,
-    /// The text of the plant's mesh, once it has come.
-    mesh: Option<&'a str>,
-    /// None: those that are there stay.
-    cells: Option<Cells<'a>>,
-    camera: &'a Camera,
-    moment: f32,
-    size_px: (u32, u32),
-    /// Whether it stays as it is when it rests.
-    calm: bool,
-}
-
-/// The cells of a day of a growth.
-struct Cells<'a> {
-    generation: u32,
-    day: u32,
-    count: u32,
-    lists: &'a SiteLists,
 }
 
 /// That a picture stands on the stage, or would, where nothing can be drawn.
@@ -351,63 +320,5 @@ impl Stage {
 impl Drop for Stage {
     fn drop(&mut self) {
         self._resize.disconnect();
-    }
-}
-
-impl<'a> Picture<'a> {
-    /// What the page shows.
-    fn of(page: &'a Page, size_px: (u32, u32)) -> Picture<'a> {
-        let (shown, run, scene) = (page.shown(), page.run(), page.scene());
-        let day = shown.day.as_ref().filter(|_| shown.generation == run.generation);
-        let cells = day.and_then(|day| {
-            let (count, lists) = (day.facts.count.cells, run.lists(day.day)?);
-            Some(Cells { generation: run.generation, day: day.day, count, lists })
-        });
-        Picture {
-            plant: scene.plant,
-            look: &scene.look,
-            show: scene.show,
-            mesh: page.mesh(),
-            cells,
-            camera: page.camera(),
-            moment: shown.day.as_ref().map_or(1.0, |day| day.moment),
-            size_px,
-            calm: page.less_motion(),
-        }
-    }
-
-    fn wanted(&self) -> Wanted<'_> {
-        let cells = self.cells.as_ref().map(|cells| (cells.generation, cells.day));
-        Wanted { plant: self.plant.key, look: self.look, show: self.show, cells }
-    }
-
-    /// Hands a part of it to the renderer. Errors if it is too large.
-    fn hand(&self, part: Part, on: &OnStage, renderer: &mut Renderer) -> Result<(), DrawError> {
-        match (part, &self.cells) {
-            (Part::Body, _) => renderer.set_body(&on.body, &on.geometry),
-            (Part::Look, _) => renderer.set_look(self.look, &on.geometry),
-            (Part::Show, _) => {
-                renderer.set_diagram(&self.show.diagram(self.plant, &on.body.surface))?;
-            }
-            (Part::Cells, Some(cells)) => {
-                let area = on.body.surface.area;
-                renderer.set_sites(cells.lists, (area / cells.count.max(1) as f32).sqrt())?;
-            }
-            // None are wanted.
-            (Part::Cells, None) => {}
-        }
-        Ok(())
-    }
-}
-
-impl OnStage {
-    fn of(plant: &Plant, mesh: &str) -> Result<OnStage, BodyError> {
-        let body = (plant.body)(mesh)?;
-        let (geometry, sphere) = (Geometry::new(&body), Sphere::around(&body));
-        Ok(OnStage { body, geometry, sphere })
-    }
-
-    fn outline<'a>(&'a self, camera: &'a Camera) -> Outline<'a> {
-        Outline { body: &self.body, sphere: &self.sphere, camera }
     }
 }

@@ -251,7 +251,8 @@ mod tests {
         let light = Shade::new(wall.into_iter(), Vec3::ZERO, 1.6).sky().light(Vec3::ZERO, Vec3::Y);
         assert!(light.bent.x < -0.2 && light.bent.y > 0.5, "away from the wall: {}", light.bent);
         assert!((0.4..0.8).contains(&light.front), "{}", light.front);
-        assert!((light.front - light.back).abs() < 0.05, "the wall stands on both sides alike");
+        let apart = light.front - light.back;
+        assert!(apart.abs() < 0.08, "the wall stands on both sides alike: {apart}");
     }
 
     #[test]
