@@ -1,6 +1,6 @@
 //! A body as it stands on the graphics card.
 
-use super::geometry::{Bounds, Geometry};
+use super::geometry::Geometry;
 use glam::Vec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
@@ -12,11 +12,10 @@ pub struct Model {
     pub ground: wgpu::Buffer,
     pub ground_indices: wgpu::Buffer,
     pub ground_index_count: u32,
-    pub bounds: Bounds,
+    pub ground_height: f32,
     /// The lines of a diagram.
     pub lines: Option<(wgpu::Buffer, u32)>,
-    /// Of which picture of a still one the shadow map is.
-    pub shadow_of: Option<u32>,
+    pub shadow_is_stale: bool,
 }
 
 impl Model {
@@ -36,9 +35,9 @@ impl Model {
                 wgpu::BufferUsages::INDEX,
             ),
             ground_index_count: 3 * geometry.ground_triangles.len() as u32,
-            bounds: geometry.bounds,
+            ground_height: geometry.bounds.ground().y,
             lines: None,
-            shadow_of: None,
+            shadow_is_stale: true,
         }
     }
 

@@ -16,7 +16,6 @@ mod hosts;
 mod icons;
 mod journeys;
 mod ladder;
-mod light;
 mod losses;
 mod measure;
 mod offline;

@@ -33,16 +33,17 @@ impl App {
             Ok(drawn) => drawn,
             Err(DrawError::TooLarge { .. }) => {
                 self.messages.also(backend::TOO_LARGE);
-                Some(Drawn::DONE)
+                Some(Drawn { sharp: true })
             }
             Err(_) => return self.lose(self.canvases.current()),
         };
-        if let Some(Drawn { sharp, .. }) = drawn {
+        let sharp = drawn.is_none_or(|drawn| drawn.sharp);
+        if drawn.is_some() {
             let effects = self.page.hear(Event::Drawn { sharp });
             self.act(effects);
         }
         self.show();
-        if self.page.is_moving() || drawn.is_some_and(|drawn| !drawn.done) {
+        if self.page.is_moving() || !sharp {
             self.frames.ask();
         } else {
             self.frames.rest();
