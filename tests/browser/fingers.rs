@@ -17,14 +17,16 @@ fn on_a_phone(link: &str, width: u32, height: u32) -> Option<Page> {
     Some(page)
 }
 
-/// Puts a finger down and takes it along a straight way, as fast as a finger is.
+/// Puts a finger down and takes it along a straight way, as fast as a finger is; without a way it is a tap,
+/// which must not last long.
 fn swipe(page: &Page, from: [f64; 2], by: [f64; 2]) {
     let touch = |kind: &str, points: Value| {
         page.devtools("Input.dispatchTouchEvent", json!({ "type": kind, "touchPoints": points }));
         std::thread::sleep(std::time::Duration::from_millis(16));
     };
     touch("touchStart", json!([{ "x": from[0], "y": from[1] }]));
-    for k in 1..=10 {
+    let steps = if by == [0.0, 0.0] { 0 } else { 10 };
+    for k in 1..=steps {
         let at = |axis: usize| from[axis] + by[axis] * f64::from(k) / 10.0;
         touch("touchMove", json!([{ "x": at(0), "y": at(1) }]));
     }
