@@ -2,7 +2,7 @@
 //! What is kept, and when it is taken from there, is decided in `play`.
 
 #[cfg(feature = "draw")]
-use super::files;
+use super::{dom, files};
 use crate::play::offline::{Answer, Kept, never_changes};
 #[cfg(feature = "draw")]
 use std::cell::Cell;
@@ -35,12 +35,15 @@ thread_local! {
     static IS_ASKED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Asks the browser, once, to keep the page. Where it does not, the page lives as well: nobody is told.
+/// Asks the browser, once, to keep the page, and offers to install it: what that takes is not asked for
+/// before. Where it does not, the page lives as well: nobody is told.
 #[cfg(feature = "draw")]
 pub fn keep_page() {
     if IS_ASKED.replace(true) || files::are_in_the_page() {
         return;
     }
+    let manifest = dom::find::<web_sys::Element>("manifest");
+    dom::set_attribute(&manifest, "href", "install/manifest.webmanifest");
     let address = if super::backend::IS_WEBGL_BUNDLE { SCRIPT_WITH_WEBGL2 } else { SCRIPT };
     if let Ok(asked) = register_script(address) {
         wasm_bindgen_futures::spawn_local(async {

@@ -67,9 +67,9 @@ fn hear(
             set_height(panel, None);
             return None;
         }
-        // The click that ends a pull is none.
+        // The click that ends a pull is none, but one of a key is.
         "click" => {
-            if !is_pulled {
+            if !is_pulled || event.detail() == 0 {
                 open(panel, !panel.has_attribute("data-open"));
             }
             return None;

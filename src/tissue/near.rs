@@ -92,18 +92,25 @@ impl Near {
     }
 
     /// Begins anew, with boxes over the part of the plane from `low` to `high`: it holds all cells
-    /// that will be unfolded, and `look_cm` and more around each that `windows` will be asked for.
+    /// that will be unfolded, and one and a half `look_cm` around each that `windows` will be asked for.
     pub(super) fn begin(&mut self, low: Vec2, high: Vec2, look_cm: f32, spacing_cm: f32) {
         self.len = 0;
         self.crowded = look_cm > CROWDED_SPACINGS * spacing_cm;
-        self.low = low;
-        self.per_cm = Vec2::new(BOXES_PER_LOOK as f32, 0.5) / look_cm;
-        let mut size = (high - low) * self.per_cm;
-        while (size.x + 2.0) * (size.y + 2.0) > MOST_BOXES {
-            (self.per_cm, size) = (0.5 * self.per_cm, 0.5 * size);
+        let mut boxed_look_cm = look_cm;
+        loop {
+            // Boxes for a longer look need as much more room around the cells.
+            let margin = Vec2::splat(1.5 * (boxed_look_cm - look_cm));
+            self.low = low - margin;
+            self.per_cm = Vec2::new(BOXES_PER_LOOK as f32, 0.5) / boxed_look_cm;
+            let size = (high + margin - self.low) * self.per_cm;
+            if (size.x + 2.0) * (size.y + 2.0) > MOST_BOXES {
+                boxed_look_cm *= 2.0;
+                continue;
+            }
+            self.columns = size.x as usize + 2;
+            self.boxes = (size.y as usize + 2) * self.columns;
+            return;
         }
-        self.columns = size.x as usize + 2;
-        self.boxes = (size.y as usize + 2) * self.columns;
     }
 
     /// Adds the cells of some rows, of one triangle. Whole fours are written, one even if there is no
@@ -279,6 +286,33 @@ fn make_room<T: Copy + Default>(column: &mut Vec<T>, rows: usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn on_a_patch_far_larger_than_the_look_cells_still_see_all_within_it() {
+        const LOOK_CM: f32 = 0.01;
+        // The corners of a square of a hundred metres, and one just within the look of each.
+        let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+        let inwards = |b: f32| if b == 0.0 { 0.7e-6 } else { 1.0 - 0.7e-6 };
+        let rows: Vec<[f32; 4]> = corners
+            .iter()
+            .flat_map(|&[b1, b2]| [[b1, b2, 0.0, 0.0], [inwards(b1), inwards(b2), 0.0, 0.0]])
+            .chain([[0.0; 4]; LANES])
+            .collect();
+        let side = 1e4;
+        let laid = Laid { origin: Vec2::ZERO, edge1: side * Vec2::X, edge2: side * Vec2::Y };
+        let mut near = Near::default();
+        near.reserve(8);
+        let margin = Vec2::splat(1.5 * LOOK_CM);
+        near.begin(-margin, Vec2::splat(side) + margin, LOOK_CM, LOOK_CM);
+        near.unfold_own(bytemuck::cast_slice(&rows), &laid, 0..8, 0, 0);
+        near.sort();
+        for k in 0..8 {
+            let seen = near.windows(k).into_iter().flatten();
+            let at: Vec<Vec2> =
+                seen.map(|j| Vec2::new(near.x[j as usize], near.y[j as usize])).collect();
+            assert!(at.contains(&near.at(k)) && at.contains(&near.at(k ^ 1)), "cell {k}: {at:?}");
+        }
+    }
 
     #[test]
     fn crowded_cells_see_all_within_their_look_in_the_lanes_that_they_had() {

@@ -1,7 +1,7 @@
 //! Fingers: a swipe scrolls and changes nothing, a pull changes what it pulls.
 
 use crate::engines::Graphics;
-use crate::page::Page;
+use crate::page::{Page, keys};
 use serde_json::{Value, json};
 
 /// A plant and a day that are there soon, on a phone.
@@ -17,24 +17,44 @@ fn on_a_phone(link: &str, width: u32, height: u32) -> Option<Page> {
     Some(page)
 }
 
-/// Puts a finger down and takes it along a straight way, as fast as a finger is; without a way it is a tap,
-/// which must not last long.
+/// Puts a finger down and takes it along a straight way, as fast as a finger is.
 fn swipe(page: &Page, from: [f64; 2], by: [f64; 2]) {
     let touch = |kind: &str, points: Value| {
         page.devtools("Input.dispatchTouchEvent", json!({ "type": kind, "touchPoints": points }));
         std::thread::sleep(std::time::Duration::from_millis(16));
     };
     touch("touchStart", json!([{ "x": from[0], "y": from[1] }]));
-    let steps = if by == [0.0, 0.0] { 0 } else { 10 };
-    for k in 1..=steps {
+    for k in 1..=10 {
         let at = |axis: usize| from[axis] + by[axis] * f64::from(k) / 10.0;
         touch("touchMove", json!([{ "x": at(0), "y": at(1) }]));
     }
     touch("touchEnd", json!([]));
 }
 
-/// The middle of what a selector finds, which is brought into sight.
+/// Puts a finger down and lifts it until something has come of it: where the machine is slow, it may have
+/// been down so long that it was no tap.
+fn tap(page: &Page, css: &str, right_px: f64, has_come: &str) {
+    for _ in 0..5 {
+        let [x, y] = middle(page, css);
+        let tap =
+            json!({ "x": x + right_px, "y": y, "duration": 30, "gestureSourceType": "touch" });
+        page.devtools("Input.synthesizeTapGesture", tap);
+        for _ in 0..40 {
+            if page.run(has_come) == true {
+                return;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(50));
+        }
+    }
+    panic!("nothing comes of a tap on {css}");
+}
+
+/// The middle of what a selector finds, which is brought into sight and lies still.
 fn middle(page: &Page, css: &str) -> [f64; 2] {
+    page.wait_for(
+        "the sheet to lie still",
+        "return document.getElementById('panel').getAnimations().length === 0",
+    );
     let script = format!(
         "const e = document.querySelector('{css}');
          if (e.closest('.panel, .figures')) e.scrollIntoView({{block: 'center', behavior: 'instant'}});
@@ -73,9 +93,7 @@ fn a_swipe_over_the_recipe_scrolls_and_changes_nothing() {
     page.wait_for("the slider to be pulled", "return location.hash.includes('df=')");
     assert_ne!(value(), rest);
     let pulled = page.link();
-    let from = middle(&page, "#parameter-db");
-    swipe(&page, [from[0] + 50.0, from[1]], [0.0, 0.0]);
-    page.wait_for("the tap to count", "return location.hash.includes('db=')");
+    tap(&page, "#parameter-db", 50.0, "return location.hash.includes('db=')");
     assert!(page.link().contains(pulled.split("df=").nth(1).unwrap().split('&').next().unwrap()));
 }
 
@@ -110,9 +128,16 @@ fn the_sheet_is_pulled_up_and_down() {
         "return !document.getElementById('panel').hasAttribute('data-open')",
     );
     assert_eq!(page.run("return document.getElementById('panel').scrollTop"), 0);
-    let from = handle();
-    swipe(&page, from, [0.0, 0.0]);
-    page.wait_for("a tap to open it", is_open);
+    tap(&page, "#sheet", 0.0, is_open);
+    // A pull is not taken for the key's click that comes after it.
+    swipe(&page, handle(), [0.0, 150.0]);
+    page.wait_for(
+        "the sheet to close once more",
+        "return !document.getElementById('panel').hasAttribute('data-open')",
+    );
+    page.run("document.getElementById('sheet').focus()");
+    page.press(&[keys::ENTER]);
+    page.wait_for("a key to open it", is_open);
 }
 
 #[test]

@@ -27,6 +27,11 @@ fn without_a_network_the_page_is_whole_in_firefox() {
 }
 
 #[test]
+fn without_a_network_the_page_is_whole_in_webkit() {
+    lives_without_a_network(Engine::WebKit);
+}
+
+#[test]
 fn a_new_build_is_seen_at_once_and_the_old_one_is_forgotten() {
     let Some(page) = Page::start(Graphics::WebGpu) else { return };
     let folder = copy_of_page("two-builds");
@@ -88,6 +93,7 @@ fn where_nothing_can_be_kept_nobody_is_told() {
 #[test]
 fn the_page_can_be_installed() {
     let Some(page) = Page::open(Graphics::Neither, &format!("#{LINK}")) else { return };
+    is_kept(&page);
     let manifest = page.devtools("Page.getAppManifest", json!({}));
     assert_eq!(manifest["errors"], json!([]));
     assert!(manifest["url"].as_str().unwrap().ends_with("/install/manifest.webmanifest"));
@@ -100,8 +106,6 @@ fn the_page_can_be_installed() {
         let sizes = format!("{}x{}", info.info().width, info.info().height);
         assert_eq!(icon["sizes"], sizes);
     }
-    page.ready();
-    is_kept(&page);
     let errors = page.devtools("Page.getInstallabilityErrors", json!({}));
     assert_eq!(errors["installabilityErrors"], json!([]));
 }

@@ -1,6 +1,6 @@
 //! The edition in one file: by double click from a disk, as an upload, in a locked frame.
 
-use crate::engines::Graphics;
+use crate::engines::{Engine, Graphics};
 use crate::page::Page;
 use crate::sameness::native;
 use crate::server::Server;
@@ -61,6 +61,24 @@ fn one_file_grows_from_a_disk() {
         assert!(page.picture().colours() > 100, "{graphics:?}");
         assert_eq!(page.warnings(), [""; 0], "{graphics:?}");
     }
+}
+
+#[test]
+fn one_file_grows_from_a_disk_in_firefox() {
+    grows_from_a_disk(Engine::Firefox);
+}
+
+#[test]
+fn one_file_grows_from_a_disk_in_webkit() {
+    grows_from_a_disk(Engine::WebKit);
+}
+
+fn grows_from_a_disk(engine: Engine) {
+    let Some(page) = Page::start(engine) else { return };
+    grows_from(&page, &format!("file://{}", one_file().display()));
+    page.run("location.hash = '#mushroom'");
+    page.wait("the mushroom", |s| s.state == "ready" && s.plant == "mushroom");
+    assert!(page.picture().colours() > 100);
 }
 
 #[test]

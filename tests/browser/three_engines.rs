@@ -20,7 +20,6 @@ fn firefox_takes_a_visitor_along() {
 }
 
 #[test]
-#[ignore = "WebKit's driver sometimes never gets past the first loading of this journey; why is not known"]
 fn webkit_takes_a_visitor_along() {
     first_visit(Engine::WebKit);
 }
