@@ -115,7 +115,13 @@ impl Page {
             }
             if begun.elapsed() > PATIENCE || state.state == "error" {
                 let complaints = self.browser.complaints();
-                panic!("waited for {what}: {state:?}, {:?}, {complaints:#?}", self.messages());
+                let files = self.run(
+                    "return performance.getEntriesByType('resource').map(e =>
+                         e.name.split('/').pop() + ' ' + Math.round(e.startTime) + ' to '
+                         + Math.round(e.responseEnd) + ' ms')",
+                );
+                let messages = self.messages();
+                panic!("waited for {what}: {state:?}, {messages:?}, {complaints:#?}, {files}");
             }
             std::thread::sleep(Duration::from_millis(30));
         }
@@ -251,10 +257,15 @@ impl Page {
     }
 }
 
-/// Says that the running test is skipped, past the test harness, which would keep it to itself.
+/// Says that the running test is skipped.
 pub fn skip(why: &str) {
+    say("SKIPPED", why);
+}
+
+/// Says something of the running test, past the test harness, which would keep it to itself.
+pub fn say(what: &str, why: &str) {
     let test = std::thread::current().name().unwrap_or_default().to_string();
-    let _ = writeln!(std::io::stderr(), "SKIPPED {test}: {why}");
+    let _ = writeln!(std::io::stderr(), "{what} {test}: {why}");
 }
 
 /// Keys that are no letters (WebDriver 17.4.2).

@@ -1,7 +1,7 @@
 //! The same page in the engines of all browsers: the journey of a first visit, the pixels, the figures.
 //! Chromium is asked everything else too, in the other files; Firefox and WebKit are asked this.
 
-use crate::engines::{Engine, Graphics};
+use crate::engines::{Engine, Graphics, in_webkit};
 use crate::figures::a_row_grows_and_opens;
 use crate::page::{Page, keys};
 use crate::pixels::{pixels_agree, tints_agree};
@@ -21,7 +21,7 @@ fn firefox_takes_a_visitor_along() {
 
 #[test]
 fn webkit_takes_a_visitor_along() {
-    first_visit(Engine::WebKit);
+    in_webkit(first_visit);
 }
 
 #[test]
@@ -32,8 +32,10 @@ fn firefox_paints_the_voronoi_polygons_and_their_tints() {
 
 #[test]
 fn webkit_paints_the_voronoi_polygons_and_their_tints() {
-    pixels_agree(Engine::WebKit);
-    tints_agree(Engine::WebKit);
+    in_webkit(|engine| {
+        pixels_agree(engine);
+        tints_agree(engine);
+    });
 }
 
 #[test]
@@ -43,7 +45,7 @@ fn firefox_draws_what_leads_the_cells() {
 
 #[test]
 fn webkit_draws_what_leads_the_cells() {
-    views_agree(Engine::WebKit);
+    in_webkit(views_agree);
 }
 
 #[test]
@@ -53,7 +55,7 @@ fn a_row_of_figures_grows_and_opens_with_firefox() {
 
 #[test]
 fn a_row_of_figures_grows_and_opens_with_webkit() {
-    a_row_grows_and_opens(Engine::WebKit);
+    in_webkit(a_row_grows_and_opens);
 }
 
 fn first_visit(engine: Engine) {
