@@ -1,19 +1,18 @@
 //! The stage: the canvas, its renderer, and what has been handed to it.
 
+mod picture;
+
 use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
 use super::files;
-use crate::draw::{DrawError, Frame, Geometry, Renderer};
-use crate::mosaic::SiteLists;
-use crate::plants::{BodyError, Look, Plant, Show};
-use crate::play::camera::{Camera, Sphere};
+use crate::draw::{DrawError, Frame, Renderer};
+use crate::play::camera::Camera;
 use crate::play::detail::Detail;
 use crate::play::gallery::ShownPicture;
-use crate::play::handed::{Handed, Part, Wanted};
-use crate::play::outline::Outline;
+use crate::play::handed::Handed;
 use crate::play::page::{Page, Shown};
-use crate::surface::Body;
 use glam::Vec2;
+use picture::{Cells, OnStage, Picture};
 use wasm_bindgen::prelude::*;
 use web_sys::{
     CanvasRenderingContext2d, HtmlCanvasElement, HtmlElement, HtmlImageElement, ResizeObserver,
@@ -36,6 +35,8 @@ pub struct Stage {
     /// The last frame that it drew of that, and in which size.
     frame: Option<Frame>,
     frame_px: (u32, u32),
+    /// So many pictures of it were mixed since it rests.
+    pictures: u32,
     size_px: (u32, u32),
     detail: Detail,
     _resize: ResizeObserver,
@@ -51,39 +52,17 @@ enum Graphics {
     None,
 }
 
-struct OnStage {
-    body: Body,
-    geometry: Geometry,
-    sphere: Sphere,
-}
-
-/// What is to be drawn.
-struct Picture<'a> {
-    plant: &'static Plant,
-    look: &'a Look,
-    show: Show,
-    /// The text of the plant's mesh, once it has come.
-    mesh: Option<&'a str>,
-    /// None: those that are there stay.
-    cells: Option<Cells<'a>>,
-    camera: &'a Camera,
-    moment: f32,
-    size_px: (u32, u32),
-}
-
-/// The cells of a day of a growth.
-struct Cells<'a> {
-    generation: u32,
-    day: u32,
-    count: u32,
-    lists: &'a SiteLists,
-}
-
 /// That a picture stands on the stage, or would, where nothing can be drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawn {
     /// With all its pixels.
     pub sharp: bool,
+    /// As good as it gets: nothing more is to be drawn of it.
+    pub done: bool,
+}
+
+impl Drawn {
+    pub const DONE: Drawn = Drawn { sharp: true, done: true };
 }
 
 impl Stage {
@@ -104,6 +83,7 @@ impl Stage {
             handed: Handed::default(),
             frame: None,
             frame_px: (0, 0),
+            pictures: 0,
             size_px: (0, 0),
             detail: Detail::new(false),
             _resize: resize,
@@ -184,7 +164,7 @@ impl Stage {
     fn draw(&mut self, page: &Page, dark: bool, seconds: f64) -> Result<Option<Drawn>, DrawError> {
         let picture = Picture::of(page, self.size_px);
         if self.handed.refuses(&picture.wanted()) {
-            return Ok(Some(Drawn { sharp: true }));
+            return Ok(Some(Drawn::DONE));
         }
         let drawn = self.portray(&picture, dark, Some(seconds))?;
         // Once more: with these cells the live picture may take the poster's place.
@@ -226,6 +206,7 @@ impl Stage {
             camera: &Camera::new(shown.scene.orbit),
             moment: 1.0,
             size_px: (canvas.width(), canvas.height()),
+            calm: true,
         };
         self.copy_picture(&picture, dark, pen)
     }
@@ -267,7 +248,7 @@ impl Stage {
         seconds: Option<f64>,
     ) -> Result<Option<Drawn>, DrawError> {
         if let Graphics::None = self.graphics {
-            return Ok(Some(Drawn { sharp: true }));
+            return Ok(Some(Drawn::DONE));
         }
         let wanted = picture.wanted();
         let key = wanted.plant;
@@ -292,7 +273,7 @@ impl Stage {
         if !self.handed.has_cells() {
             // The poster stands there still; a frame of the bare body would only delay the first
             // one with cells.
-            return Ok(Some(Drawn { sharp: true }));
+            return Ok(Some(Drawn::DONE));
         }
         let (width, height) = picture.size_px;
         let frame = Frame {
@@ -304,16 +285,22 @@ impl Stage {
         let changes = self.frame != Some(frame);
         let share = seconds.map_or(1.0, |seconds| self.detail.share(seconds, changes));
         let size_px = [width, height].map(|px| (f64::from(px) * share).round() as u32).into();
+        let sharp = size_px == picture.size_px;
+        let pictures = if picture.calm { 0 } else { renderer.still_pictures() };
         if changes || self.frame_px != size_px {
             renderer.resize(size_px.0, size_px.1);
-            renderer.draw(&frame)?;
+            renderer.draw(&frame, None)?;
             self.frame = Some(frame);
             self.frame_px = size_px;
             let half = Vec2::new(width as f32, height as f32) / width.min(height) as f32;
             let is_empty = !on_stage.outline(picture.camera).is_in_sight(half);
             set_flag(&self.element, "data-empty", is_empty);
+            self.pictures = 0;
+        } else if sharp && self.pictures < pictures {
+            renderer.draw(&frame, Some(self.pictures))?;
+            self.pictures += 1;
         }
-        Ok(Some(Drawn { sharp: size_px == picture.size_px }))
+        Ok(Some(Drawn { sharp, done: sharp && self.pictures >= pictures }))
     }
 
     /// The poster stands in until cells are drawn.
@@ -333,62 +320,5 @@ impl Stage {
 impl Drop for Stage {
     fn drop(&mut self) {
         self._resize.disconnect();
-    }
-}
-
-impl<'a> Picture<'a> {
-    /// What the page shows.
-    fn of(page: &'a Page, size_px: (u32, u32)) -> Picture<'a> {
-        let (shown, run, scene) = (page.shown(), page.run(), page.scene());
-        let day = shown.day.as_ref().filter(|_| shown.generation == run.generation);
-        let cells = day.and_then(|day| {
-            let (count, lists) = (day.facts.count.cells, run.lists(day.day)?);
-            Some(Cells { generation: run.generation, day: day.day, count, lists })
-        });
-        Picture {
-            plant: scene.plant,
-            look: &scene.look,
-            show: scene.show,
-            mesh: page.mesh(),
-            cells,
-            camera: page.camera(),
-            moment: shown.day.as_ref().map_or(1.0, |day| day.moment),
-            size_px,
-        }
-    }
-
-    fn wanted(&self) -> Wanted<'_> {
-        let cells = self.cells.as_ref().map(|cells| (cells.generation, cells.day));
-        Wanted { plant: self.plant.key, look: self.look, show: self.show, cells }
-    }
-
-    /// Hands a part of it to the renderer. Errors if it is too large.
-    fn hand(&self, part: Part, on: &OnStage, renderer: &mut Renderer) -> Result<(), DrawError> {
-        match (part, &self.cells) {
-            (Part::Body, _) => renderer.set_body(&on.body, &on.geometry),
-            (Part::Look, _) => renderer.set_look(self.look, &on.geometry),
-            (Part::Show, _) => {
-                renderer.set_diagram(&self.show.diagram(self.plant, &on.body.surface))?;
-            }
-            (Part::Cells, Some(cells)) => {
-                let area = on.body.surface.area;
-                renderer.set_sites(cells.lists, (area / cells.count.max(1) as f32).sqrt())?;
-            }
-            // None are wanted.
-            (Part::Cells, None) => {}
-        }
-        Ok(())
-    }
-}
-
-impl OnStage {
-    fn of(plant: &Plant, mesh: &str) -> Result<OnStage, BodyError> {
-        let body = (plant.body)(mesh)?;
-        let (geometry, sphere) = (Geometry::new(&body), Sphere::around(&body));
-        Ok(OnStage { body, geometry, sphere })
-    }
-
-    fn outline<'a>(&'a self, camera: &'a Camera) -> Outline<'a> {
-        Outline { body: &self.body, sphere: &self.sphere, camera }
     }
 }

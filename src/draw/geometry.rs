@@ -1,6 +1,6 @@
 //! A body as the corners that the graphics card draws.
 
-use super::occlusion::{Shade, Sky, sample_spacing};
+use super::occlusion::{Shade, Sky, Skylight, sample_spacing};
 use super::scene::{BARE_MATERIALS, key_direction};
 use crate::surface::{Body, Mesh};
 use bytemuck::{Pod, Zeroable};
@@ -11,9 +11,11 @@ use glam::{Vec2, Vec3, Vec4};
 #[repr(C)]
 pub struct Corner {
     pub position: Vec3,
-    pub normal: Vec3,
-    /// Share of the sky that the corner sees, 0 to 1.
-    pub openness: f32,
+    /// The unit normal, and the share of the sky that its side sees: 1 is `i16::MAX`.
+    pub normal: [i16; 4],
+    /// The mean direction of the sky that this side sees, and the share that the other one sees: 1 is
+    /// `i8::MAX`.
+    pub bent: [i8; 4],
     pub uv: Vec2,
     /// In the triangle's plane, from its centroid, in centimetres.
     pub plane: Vec2,
@@ -27,8 +29,9 @@ pub struct Corner {
 pub struct GroundCorner {
     /// From the centre, in radii of the disc.
     pub out: Vec2,
-    /// Shares of the sky and of the key light that the body takes away.
-    pub darkness: Vec2,
+    /// Shares of the sky and of the key light that the body takes away, and how near that is which takes
+    /// the latter: 1 at the foot, 0 where its shadow has no edge.
+    pub darkness: Vec3,
 }
 
 /// A sphere around a body, and its ground.
@@ -36,7 +39,7 @@ pub struct GroundCorner {
 pub struct Bounds {
     pub centre: Vec3,
     pub radius: f32,
-    lowest: f32,
+    pub lowest: f32,
 }
 
 /// Everything of a body that is drawn.
@@ -55,6 +58,9 @@ pub struct Geometry {
 const GROUND_RADII: f32 = 2.4;
 const GROUND_RINGS: u32 = 56;
 const GROUND_SECTORS: u32 = 96;
+
+/// How far above the ground, in radii of the body, that stands whose shadow has no edge any more.
+const SOFT_RADII: f32 = 0.6;
 
 /// The names of the bare materials of a body; what comes after the last place shares the first.
 fn materials(body: &Body) -> Vec<&str> {
@@ -78,18 +84,15 @@ impl Geometry {
 
         let mut corners = surface_corners(
             &body.surface,
-            &openness(&sky, &body.surface.positions, &body.surface.normals),
+            &skylights(&sky, &body.surface.positions, &body.surface.normals),
         );
         let surface_corners = corners.len() as u32;
         for part in &body.ornaments {
-            let openness = openness(&sky, &part.positions, &part.normals);
+            let lights = skylights(&sky, &part.positions, &part.normals);
             let number = number(&part.material);
-            corners.extend(part.triangles.iter().flatten().map(|&v| Corner {
-                position: part.positions[v as usize],
-                normal: part.normals[v as usize],
-                openness: openness[v as usize],
-                number,
-                ..Zeroable::zeroed()
+            corners.extend(part.triangles.iter().flatten().map(|&v| {
+                let v = v as usize;
+                Corner { number, ..Corner::new(part.positions[v], part.normals[v], &lights[v]) }
             }));
         }
         let (ground, ground_triangles) = ground(&shade, &sky, &bounds);
@@ -142,11 +145,25 @@ pub fn vein_lean(mesh: &Mesh) -> f32 {
     if lengths.y > 0.0 { lengths.x / (lengths.y * TAN_60) } else { 0.0 }
 }
 
-fn openness(sky: &Sky, positions: &[Vec3], normals: &[Vec3]) -> Vec<f32> {
-    positions.iter().zip(normals).map(|(&point, &normal)| sky.openness(point, normal)).collect()
+impl Corner {
+    /// A corner that has no place in a plane yet.
+    fn new(position: Vec3, normal: Vec3, light: &Skylight) -> Corner {
+        let normal = normal.extend(light.front).to_array();
+        let bent = light.bent.extend(light.back).to_array();
+        Corner {
+            position,
+            normal: normal.map(|x| (x * f32::from(i16::MAX)) as i16),
+            bent: bent.map(|x| (x * f32::from(i8::MAX)) as i8),
+            ..Zeroable::zeroed()
+        }
+    }
 }
 
-fn surface_corners(mesh: &Mesh, openness: &[f32]) -> Vec<Corner> {
+fn skylights(sky: &Sky, positions: &[Vec3], normals: &[Vec3]) -> Vec<Skylight> {
+    positions.iter().zip(normals).map(|(&point, &normal)| sky.light(point, normal)).collect()
+}
+
+fn surface_corners(mesh: &Mesh, lights: &[Skylight]) -> Vec<Corner> {
     let corners = mesh.triangles.iter().zip(&mesh.frames).enumerate();
     corners
         .flat_map(|(number, (t, frame))| {
@@ -155,12 +172,10 @@ fn surface_corners(mesh: &Mesh, openness: &[f32]) -> Vec<Corner> {
             [0, 1, 2].map(|k| {
                 let v = t[k] as usize;
                 Corner {
-                    position: mesh.positions[v],
-                    normal: mesh.normals[v],
-                    openness: openness[v],
                     uv: mesh.uvs.get(v).copied().unwrap_or_default(),
                     plane: plane[k] - centroid,
                     number: number as u32,
+                    ..Corner::new(mesh.positions[v], mesh.normals[v], &lights[v])
                 }
             })
         })
@@ -206,9 +221,9 @@ fn ground(shade: &Shade, sky: &Sky, bounds: &Bounds) -> (Vec<GroundCorner>, Vec<
         .collect();
     let points: Vec<Vec3> =
         outs.iter().map(|out| disc.truncate() + Vec3::new(out.x, 0.0, out.y) * disc.w).collect();
-    let sky = points.iter().map(|&point| sky.openness(point, Vec3::Y));
-    let lamp = shade.lamp(key_direction(), &points);
-    let darkness = sky.zip(&lamp).map(|(sky, lamp)| Vec2::new(1.0 - sky, 1.0 - lamp));
+    let sky = points.iter().map(|&point| sky.light(point, Vec3::Y).front);
+    let lamp = shade.lamp(key_direction(), &points, bounds.radius * SOFT_RADII);
+    let darkness = sky.zip(&lamp).map(|(sky, lamp)| Vec3::new(1.0 - sky, 1.0 - lamp.x, lamp.y));
     let darkness = smoothed(darkness.collect());
     let corners =
         outs.into_iter().zip(darkness).map(|(out, darkness)| GroundCorner { out, darkness });
@@ -226,7 +241,7 @@ fn ground(shade: &Shade, sky: &Sky, bounds: &Bounds) -> (Vec<GroundCorner>, Vec<
 
 /// Rounds off what the grain of the depth maps leaves in the shadow: each corner of the ground is
 /// mixed with its four neighbours, a few times.
-fn smoothed(mut darkness: Vec<Vec2>) -> Vec<Vec2> {
+fn smoothed(mut darkness: Vec<Vec3>) -> Vec<Vec3> {
     let sectors = GROUND_SECTORS as usize;
     for _ in 0..6 {
         let old = darkness.clone();
@@ -240,4 +255,18 @@ fn smoothed(mut darkness: Vec<Vec2>) -> Vec<Vec2> {
         }
     }
     darkness
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_take_little_memory_and_keep_their_light() {
+        assert!(size_of::<Corner>() <= 44);
+        let light = Skylight { front: 1.0, back: 0.25, bent: Vec3::NEG_X };
+        let corner = Corner::new(Vec3::ONE, Vec3::Y, &light);
+        assert_eq!(corner.normal, [0, i16::MAX, 0, i16::MAX]);
+        assert_eq!(corner.bent, [-i8::MAX, 0, 0, i8::MAX / 4]);
+    }
 }

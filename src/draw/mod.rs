@@ -17,6 +17,7 @@ mod renderer;
 mod scene;
 #[cfg(target_arch = "wasm32")]
 mod start;
+mod still;
 
 pub use geometry::Geometry;
 use glam::{Mat4, Vec3};

@@ -1,6 +1,6 @@
 //! A body as it stands on the graphics card.
 
-use super::geometry::Geometry;
+use super::geometry::{Bounds, Geometry};
 use glam::Vec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
@@ -12,10 +12,11 @@ pub struct Model {
     pub ground: wgpu::Buffer,
     pub ground_indices: wgpu::Buffer,
     pub ground_index_count: u32,
-    pub ground_height: f32,
+    pub bounds: Bounds,
     /// The lines of a diagram.
     pub lines: Option<(wgpu::Buffer, u32)>,
-    pub shadow_is_stale: bool,
+    /// Of which picture of a still one the shadow map is.
+    pub shadow_of: Option<u32>,
 }
 
 impl Model {
@@ -35,9 +36,9 @@ impl Model {
                 wgpu::BufferUsages::INDEX,
             ),
             ground_index_count: 3 * geometry.ground_triangles.len() as u32,
-            ground_height: geometry.bounds.ground().y,
+            bounds: geometry.bounds,
             lines: None,
-            shadow_is_stale: true,
+            shadow_of: None,
         }
     }
 

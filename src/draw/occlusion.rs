@@ -61,19 +61,25 @@ impl Shade {
         Sky { maps: sphere(SKY_AXES).map(|axis| DepthMap::new(self, axis)).collect() }
     }
 
-    /// For each point the share of a wide lamp in the direction `key` that it sees, 0 to 1.
-    pub fn lamp(&self, key: Vec3, points: &[Vec3]) -> Vec<f32> {
-        let mut seen = vec![0.0; points.len()];
+    /// For each point the share of a wide lamp in the direction `key` that it sees, 0 to 1, and how near
+    /// what hides the lamp is: from 1 at the point to 0 at so many centimetres and beyond.
+    pub fn lamp(&self, key: Vec3, points: &[Vec3], far_cm: f32) -> Vec<Vec2> {
+        let mut sums = vec![Vec2::ZERO; points.len()];
         let (side, up) = key.any_orthonormal_pair();
         for k in 0..KEY_DIRECTIONS {
             let (disc_x, disc_y) = disc(k, KEY_DIRECTIONS);
             let map =
                 DepthMap::new(self, (key + (side * disc_x + up * disc_y) * KEY_CONE).normalize());
-            for (&point, sum) in points.iter().zip(&mut seen) {
-                *sum += map.visibility(point, false) / KEY_DIRECTIONS as f32;
+            for (&point, sum) in points.iter().zip(&mut sums) {
+                let hidden = 1.0 - map.visibility(point)[0];
+                let near = 1.0 - (map.lowest_above(point) / far_cm).clamp(0.0, 1.0);
+                *sum += hidden * Vec2::new(1.0, near);
             }
         }
-        seen
+        let share = |sum: Vec2| {
+            Vec2::new(1.0 - sum.x / KEY_DIRECTIONS as f32, sum.y / sum.x.max(f32::MIN_POSITIVE))
+        };
+        sums.into_iter().map(share).collect()
     }
 }
 
@@ -82,16 +88,32 @@ pub struct Sky {
     maps: Vec<DepthMap>,
 }
 
+/// The sky as a point of a surface sees it.
+pub struct Skylight {
+    /// The shares of the sky that both sides see, weighted by the cosine, 0 to 1.
+    pub front: f32,
+    pub back: f32,
+    /// The mean direction of what the front sees; of unit length.
+    pub bent: Vec3,
+}
+
 impl Sky {
-    /// The share of the sky that a point with this unit normal sees, weighted by the cosine, 0 to 1.
-    pub fn openness(&self, point: Vec3, normal: Vec3) -> f32 {
-        let (mut seen, mut whole) = (0.0, 0.0);
+    /// The sky at a point with this unit normal.
+    pub fn light(&self, point: Vec3, normal: Vec3) -> Skylight {
+        let (mut front, mut back, mut whole, mut bent) = (0.0, 0.0, 0.0, Vec3::ZERO);
         for map in &self.maps {
             let cosine = normal.dot(map.axis);
-            seen += cosine.abs() * map.visibility(point, cosine < 0.0);
+            let [mut before, mut behind] = map.visibility(point);
+            if cosine < 0.0 {
+                (before, behind) = (behind, before);
+            }
+            front += cosine.abs() * before;
+            back += cosine.abs() * behind;
             whole += cosine.abs();
+            bent += map.axis * (cosine * before);
         }
-        if whole > 0.0 { seen / whole } else { 1.0 }
+        let share = |seen: f32| if whole > 0.0 { seen / whole } else { 1.0 };
+        Skylight { front: share(front), back: share(back), bent: bent.normalize_or(normal) }
     }
 }
 
@@ -147,25 +169,33 @@ impl DepthMap {
         (across * self.per_cell + STRIDE as f32 / 2.0, from_centre.dot(self.axis))
     }
 
-    /// How free the way from a point is along the axis, or (`down`) against it: 0 to 1, a blend of
-    /// the four cells around.
-    fn visibility(&self, point: Vec3, down: bool) -> f32 {
+    /// How free the ways from a point are along the axis and against it: 0 to 1, a blend of the four
+    /// cells around.
+    fn visibility(&self, point: Vec3) -> [f32; 2] {
         let (across, depth) = self.project(point);
         // Whoever stands beside the map looks from its rim.
         let across = (across - 0.5).clamp(Vec2::ZERO, Vec2::splat((STRIDE - 2) as f32));
         let (column, row) = (across.x as usize, across.y as usize);
         let (part_x, part_y) = (across.x - column as f32, across.y - row as f32);
-        let (map, sign) = if down { (&self.lowest, -1.0) } else { (&self.highest, 1.0) };
         let cell = row * STRIDE + column;
-        let four = [map[cell], map[cell + 1], map[cell + STRIDE], map[cell + STRIDE + 1]];
-        let above = (f32x4::new(four) - f32x4::splat(depth)) * f32x4::splat(sign);
-        // Nearer than two cells a surface cannot be told from its own samples.
-        let dark = above * f32x4::splat(0.5 * self.per_cell) - f32x4::ONE;
-        let free = f32x4::ONE - dark.fast_max(f32x4::ZERO).fast_min(f32x4::ONE);
-        let [a, b, c, d] = free.to_array();
-        let low = a + (b - a) * part_x;
-        let high = c + (d - c) * part_x;
-        low + (high - low) * part_y
+        [(&self.highest, 1.0), (&self.lowest, -1.0)].map(|(map, sign)| {
+            let four = [map[cell], map[cell + 1], map[cell + STRIDE], map[cell + STRIDE + 1]];
+            let above = (f32x4::new(four) - f32x4::splat(depth)) * f32x4::splat(sign);
+            // Nearer than two cells a surface cannot be told from its own samples.
+            let dark = above * f32x4::splat(0.5 * self.per_cell) - f32x4::ONE;
+            let free = f32x4::ONE - dark.fast_max(f32x4::ZERO).fast_min(f32x4::ONE);
+            let [a, b, c, d] = free.to_array();
+            let low = a + (b - a) * part_x;
+            let high = c + (d - c) * part_x;
+            low + (high - low) * part_y
+        })
+    }
+
+    /// How far above a point, along the axis, the lowest caster lies, to a cell.
+    fn lowest_above(&self, point: Vec3) -> f32 {
+        let (across, depth) = self.project(point);
+        let across = across.clamp(Vec2::ZERO, Vec2::splat((STRIDE - 1) as f32));
+        self.lowest[across.y as usize * STRIDE + across.x as usize] - depth
     }
 }
 
@@ -203,18 +233,33 @@ mod tests {
         let casters = plate(0.3);
         let shade = Shade::new(casters.into_iter(), Vec3::new(0.0, 0.3, 0.0), 1.5);
         let sky = shade.sky();
-        let sky = [Vec3::ZERO, Vec3::new(9.0, 0.0, 0.0)].map(|point| sky.openness(point, Vec3::Y));
+        let sky =
+            [Vec3::ZERO, Vec3::new(9.0, 0.0, 0.0)].map(|point| sky.light(point, Vec3::Y).front);
         assert!(sky[0] < 0.35, "under the plate {}", sky[0]);
         assert!(sky[1] > 0.95, "far away {}", sky[1]);
-        let lamp = shade.lamp(Vec3::Y, &[Vec3::ZERO, Vec3::new(2.0, 0.0, 0.0)]);
-        assert!(lamp[0] < 0.01 && lamp[1] > 0.99, "{lamp:?}");
+        let lamp = shade.lamp(Vec3::Y, &[Vec3::ZERO, Vec3::new(2.0, 0.0, 0.0)], 0.6);
+        assert!(lamp[0].x < 0.01 && lamp[1].x > 0.99, "{lamp:?}");
+        assert!(
+            (lamp[0].y - 0.5).abs() < 0.05,
+            "half as high as where shadows have no edge: {lamp:?}"
+        );
+    }
+
+    #[test]
+    fn light_comes_from_where_the_sky_is_open() {
+        let wall: Vec<Vec3> = plate(0.0).iter().map(|p| Vec3::new(0.3, p.x, p.z)).collect();
+        let light = Shade::new(wall.into_iter(), Vec3::ZERO, 1.6).sky().light(Vec3::ZERO, Vec3::Y);
+        assert!(light.bent.x < -0.2 && light.bent.y > 0.5, "away from the wall: {}", light.bent);
+        assert!((0.4..0.8).contains(&light.front), "{}", light.front);
+        let apart = light.front - light.back;
+        assert!(apart.abs() < 0.08, "the wall stands on both sides alike: {apart}");
     }
 
     #[test]
     fn a_lone_plate_does_not_darken_itself() {
         let casters = plate(0.0);
         let sky = Shade::new(casters.into_iter(), Vec3::ZERO, 1.5).sky();
-        let sky = [Vec3::Y, Vec3::NEG_Y].map(|normal| sky.openness(Vec3::ZERO, normal));
-        assert!(sky.iter().all(|&s| s > 0.9), "{sky:?}");
+        let light = sky.light(Vec3::ZERO, Vec3::Y);
+        assert!(light.front > 0.9 && light.back > 0.9, "{} {}", light.front, light.back);
     }
 }

@@ -8,6 +8,7 @@ pub const SAMPLES: u32 = 4;
 pub const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
 
 pub struct Pipelines {
+    pub shader: wgpu::ShaderModule,
     /// The scene's numbers.
     pub scene_layout: BindGroupLayout,
     /// The shadow map.
@@ -22,9 +23,9 @@ pub struct Pipelines {
 }
 
 const CORNER: &[wgpu::VertexAttribute] = &vertex_attr_array![
-    0 => Float32x3, 1 => Float32x3, 2 => Float32, 3 => Float32x2, 4 => Float32x2, 5 => Uint32
+    0 => Float32x3, 1 => Snorm16x4, 2 => Snorm8x4, 3 => Float32x2, 4 => Float32x2, 5 => Uint32
 ];
-const GROUND_CORNER: &[wgpu::VertexAttribute] = &vertex_attr_array![0 => Float32x2, 1 => Float32x2];
+const GROUND_CORNER: &[wgpu::VertexAttribute] = &vertex_attr_array![0 => Float32x2, 1 => Float32x3];
 const LINE: &[wgpu::VertexAttribute] = &vertex_attr_array![0 => Float32x3, 1 => Float32x3];
 
 impl Pipelines {
@@ -58,6 +59,9 @@ impl Pipelines {
         let sites_layout = layout(device, ShaderStages::FRAGMENT, &[words, words, words]);
 
         let maker = Maker { device, shader: &shader };
+        let make = |layouts: &[_], buffer, vertex, fragment| {
+            maker.make(layouts, Some(buffer), vertex, fragment)
+        };
         let lit = [Some(&scene_layout), Some(&light_layout), Some(&sites_layout)];
         let corner = buffer::<Corner>(CORNER);
         let ground_corner = buffer::<GroundCorner>(GROUND_CORNER);
@@ -66,43 +70,41 @@ impl Pipelines {
             ..buffer::<[Vec3; 2]>(LINE)
         };
         let over = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
-        let colour = |blend| {
-            Some(wgpu::ColorTargetState {
-                format: target,
-                blend,
-                write_mask: wgpu::ColorWrites::ALL,
-            })
-        };
+        let colour = |blend| colour(target, blend);
         Pipelines {
-            surface: maker.make(&lit, &corner, "vs_body", Some(("fs_body", colour(None)))),
-            bare: maker.make(&lit[..2], &corner, "vs_body", Some(("fs_bare", colour(None)))),
-            ground: maker.make(
-                &lit[..1],
-                &ground_corner,
-                "vs_ground",
-                Some(("fs_ground", colour(over))),
-            ),
-            lines: maker.make(&lit[..1], &line, "vs_line", Some(("fs_line", colour(None)))),
-            shadow: maker.make(&lit[..1], &corner, "vs_shadow", None),
+            surface: make(&lit, &corner, "vs_body", Some(("fs_body", colour(None)))),
+            bare: make(&lit[..2], &corner, "vs_body", Some(("fs_bare", colour(None)))),
+            ground: make(&lit[..2], &ground_corner, "vs_ground", Some(("fs_ground", colour(over)))),
+            lines: make(&lit[..1], &line, "vs_line", Some(("fs_line", colour(None)))),
+            shadow: make(&lit[..1], &corner, "vs_shadow", None),
             scene_layout,
             light_layout,
             sites_layout,
+            shader,
         }
     }
 }
 
-struct Maker<'a> {
-    device: &'a wgpu::Device,
-    shader: &'a wgpu::ShaderModule,
+/// A target that may be blended into.
+pub fn colour(
+    format: wgpu::TextureFormat,
+    blend: Option<wgpu::BlendState>,
+) -> Option<wgpu::ColorTargetState> {
+    Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL })
+}
+
+pub struct Maker<'a> {
+    pub device: &'a wgpu::Device,
+    pub shader: &'a wgpu::ShaderModule,
 }
 
 impl Maker<'_> {
     /// A pipeline for triangles seen from both sides; without a fragment shader one for the shadow
-    /// map.
-    fn make(
+    /// map, and without a buffer one that has nothing but a colour target.
+    pub fn make(
         &self,
         layouts: &[Option<&BindGroupLayout>],
-        buffer: &wgpu::VertexBufferLayout,
+        buffer: Option<&wgpu::VertexBufferLayout>,
         vertex: &str,
         fragment: Option<(&str, Option<wgpu::ColorTargetState>)>,
     ) -> wgpu::RenderPipeline {
@@ -127,10 +129,10 @@ impl Maker<'_> {
                 module: self.shader,
                 entry_point: Some(vertex),
                 compilation_options: Default::default(),
-                buffers: &[Some(buffer.clone())],
+                buffers: buffer.cloned().map(Some).as_slice(),
             },
             primitive: Default::default(),
-            depth_stencil: Some(wgpu::DepthStencilState {
+            depth_stencil: buffer.map(|_| wgpu::DepthStencilState {
                 format: DEPTH,
                 depth_write_enabled: Some(!blends),
                 depth_compare: Some(wgpu::CompareFunction::Less),
@@ -144,7 +146,7 @@ impl Maker<'_> {
                 },
             }),
             multisample: wgpu::MultisampleState {
-                count: if casts_shadow { 1 } else { SAMPLES },
+                count: if casts_shadow || buffer.is_none() { 1 } else { SAMPLES },
                 ..Default::default()
             },
             fragment,
@@ -162,7 +164,7 @@ fn buffer<T>(attributes: &[wgpu::VertexAttribute]) -> wgpu::VertexBufferLayout<'
     }
 }
 
-fn texture(sample_type: wgpu::TextureSampleType) -> BindingType {
+pub fn texture(sample_type: wgpu::TextureSampleType) -> BindingType {
     BindingType::Texture {
         sample_type,
         view_dimension: wgpu::TextureViewDimension::D2,
@@ -171,7 +173,7 @@ fn texture(sample_type: wgpu::TextureSampleType) -> BindingType {
 }
 
 /// A layout whose bindings are numbered from 0.
-fn layout(
+pub fn layout(
     device: &wgpu::Device,
     visibility: ShaderStages,
     types: &[BindingType],

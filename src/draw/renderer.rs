@@ -5,11 +5,12 @@ use super::diagram;
 use super::geometry::{Geometry, vein_lean};
 use super::model::Model;
 use super::pipelines::{DEPTH, Pipelines, SAMPLES};
-use super::scene::{SHADOW_SIDE, Scene};
+use super::scene::{SHADOW_SIDE, STILL_PICTURES, Scene};
+use super::still::Still;
 use super::{DrawError, Frame};
 use crate::mosaic::SiteLists;
 use crate::plants::{Diagram, Look};
-use crate::surface::{Body, NO_TWIN};
+use crate::surface::Body;
 use bytemuck::Zeroable;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
@@ -23,6 +24,7 @@ pub struct Renderer {
     device: wgpu::Device,
     queue: wgpu::Queue,
     adapter: wgpu::AdapterInfo,
+    can_mix: bool,
     pipelines: Pipelines,
     scene: Scene,
     scene_buffer: wgpu::Buffer,
@@ -41,17 +43,19 @@ pub struct Renderer {
 struct Screen {
     colour: wgpu::TextureView,
     depth: wgpu::TextureView,
+    still: Option<Still>,
 }
 
 impl Renderer {
     /// Sets up everything that does not depend on body or size. `config` gives format, alpha mode
-    /// and usage of the canvas; its size counts for nothing until `resize`.
+    /// and usage of the canvas; its size counts for nothing until `resize`. `can_mix`: as `still` says.
     pub(super) fn with_device(
         surface: wgpu::Surface<'static>,
         config: wgpu::SurfaceConfiguration,
         device: wgpu::Device,
         queue: wgpu::Queue,
         adapter: wgpu::AdapterInfo,
+        can_mix: bool,
     ) -> Renderer {
         let pipelines = Pipelines::new(&device, config.format);
         let scene = Scene::zeroed();
@@ -91,6 +95,7 @@ impl Renderer {
             device,
             queue,
             adapter,
+            can_mix,
             pipelines,
             scene,
             scene_buffer,
@@ -119,11 +124,15 @@ impl Renderer {
         self.adapter.device_type == wgpu::DeviceType::Cpu
     }
 
+    /// Of how many pictures one at rest is the mean here; 0: it stays as it is.
+    pub fn still_pictures(&self) -> u32 {
+        if self.can_mix && !self.is_software() { STILL_PICTURES } else { 0 }
+    }
+
     /// Shows a body, bare until its sites come: `set_sites` of the body before counts no more, nor
     /// does `set_look`. `geometry` is that of the body.
     pub fn set_body(&mut self, body: &Body, geometry: &Geometry) {
-        let sheet = body.surface.twins.contains(&NO_TWIN);
-        self.scene.set_body(&geometry.bounds, vein_lean(&body.surface), sheet);
+        self.scene.set_body(&geometry.bounds, vein_lean(&body.surface));
         self.model = Some(Model::new(&self.device, geometry));
         self.scene.set_diagram(&Diagram::default());
         self.heads = DataTexture::new(&self.device);
@@ -180,71 +189,68 @@ impl Renderer {
         self.screen = None;
         let make =
             |format| target(&self.device, size, format, SAMPLES, wgpu::TextureUsages::empty());
-        self.screen = Some(Screen { colour: make(self.config.format), depth: make(DEPTH) });
+        let (colour, depth) = (make(self.config.format), make(DEPTH));
+        self.screen = Some(Screen { colour, depth, still: None });
     }
 
-    /// Draws a frame on the canvas. Without a body the canvas is empty; before the first `resize`
-    /// nothing happens. Errors if the canvas gives no surface any more.
-    pub fn draw(&mut self, frame: &Frame) -> Result<(), DrawError> {
-        let Some(screen) = &self.screen else { return Ok(()) };
-        use wgpu::CurrentSurfaceTexture::*;
-        let canvas = match self.surface.get_current_texture() {
-            Success(texture) | Suboptimal(texture) => texture,
-            Timeout | Occluded => return Ok(()),
-            Outdated => {
-                self.surface.configure(&self.device, &self.config);
-                match self.surface.get_current_texture() {
-                    Success(texture) | Suboptimal(texture) => texture,
-                    _ => return Err(DrawError::SurfaceLost),
-                }
-            }
-            Lost | Validation => return Err(DrawError::SurfaceLost),
+    /// Draws a frame on the canvas; or the mean of the first pictures of a still one, of which this is
+    /// the last, after those before it were drawn. Without a body the canvas stays as it is, and before
+    /// the first `resize`. Errors if the canvas gives no surface any more.
+    pub fn draw(&mut self, frame: &Frame, picture: Option<u32>) -> Result<(), DrawError> {
+        let (Some(screen), Some(model)) = (&mut self.screen, &mut self.model) else {
+            return Ok(());
+        };
+        let Some(canvas) = next_texture(&self.surface, &self.device, &self.config)? else {
+            return Ok(());
         };
         let canvas_view = canvas.texture.create_view(&Default::default());
-        self.scene.set_frame(frame);
+        let number = picture.unwrap_or(0);
+        self.scene.set_frame(frame, &model.bounds, number);
         self.queue.write_buffer(&self.scene_buffer, 0, bytemuck::bytes_of(&self.scene));
+        let still = picture.map(|_| {
+            let size = (self.config.width, self.config.height);
+            let new = || Still::new(&self.device, &self.pipelines, size, self.config.format);
+            &*screen.still.get_or_insert_with(new)
+        });
 
         let mut encoder = self.device.create_command_encoder(&Default::default());
-        if let Some(model) = &mut self.model
-            && std::mem::take(&mut model.shadow_is_stale)
-        {
+        if model.shadow_of.replace(number) != Some(number) {
             let mut pass = begin_pass(&mut encoder, None, &self.shadow_map, wgpu::StoreOp::Store);
             pass.set_bind_group(0, &self.scene_group, &[]);
             pass.set_pipeline(&self.pipelines.shadow);
             pass.set_vertex_buffer(0, model.corners.slice(..));
             pass.draw(0..model.all_corners, 0..1);
         }
+        let onto = still.map_or(&canvas_view, |still| &still.picture.view);
         let mut pass = begin_pass(
             &mut encoder,
-            Some((&screen.colour, &canvas_view)),
+            Some((&screen.colour, onto)),
             &screen.depth,
             wgpu::StoreOp::Discard,
         );
-        if let Some(model) = &self.model {
-            pass.set_bind_group(0, &self.scene_group, &[]);
-            pass.set_bind_group(1, &self.light_group, &[]);
-            pass.set_bind_group(2, &self.sites_group, &[]);
-            pass.set_vertex_buffer(0, model.corners.slice(..));
-            pass.set_pipeline(&self.pipelines.surface);
-            pass.draw(0..model.surface_corners, 0..1);
-            if model.all_corners > model.surface_corners {
-                pass.set_pipeline(&self.pipelines.bare);
-                pass.draw(model.surface_corners..model.all_corners, 0..1);
-            }
-            if let Some((lines, count)) = &model.lines {
-                pass.set_pipeline(&self.pipelines.lines);
-                pass.set_vertex_buffer(0, lines.slice(..));
-                pass.draw(0..9, 0..*count);
-            }
-            // From below the ground there is no shadow to see.
-            if frame.eye.y > model.ground_height {
-                pass.set_pipeline(&self.pipelines.ground);
-                pass.set_vertex_buffer(0, model.ground.slice(..));
-                pass.set_index_buffer(model.ground_indices.slice(..), wgpu::IndexFormat::Uint32);
-                pass.draw_indexed(0..model.ground_index_count, 0, 0..1);
-            }
+        pass.set_bind_group(0, &self.scene_group, &[]);
+        pass.set_bind_group(1, &self.light_group, &[]);
+        pass.set_bind_group(2, &self.sites_group, &[]);
+        pass.set_vertex_buffer(0, model.corners.slice(..));
+        pass.set_pipeline(&self.pipelines.surface);
+        pass.draw(0..model.surface_corners, 0..1);
+        if model.all_corners > model.surface_corners {
+            pass.set_pipeline(&self.pipelines.bare);
+            pass.draw(model.surface_corners..model.all_corners, 0..1);
         }
+        if let Some((lines, count)) = &model.lines {
+            pass.set_pipeline(&self.pipelines.lines);
+            pass.set_vertex_buffer(0, lines.slice(..));
+            pass.draw(0..9, 0..*count);
+        }
+        pass.set_pipeline(&self.pipelines.ground);
+        pass.set_vertex_buffer(0, model.ground.slice(..));
+        pass.set_index_buffer(model.ground_indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..model.ground_index_count, 0, 0..1);
         drop(pass);
+        if let Some(still) = still {
+            still.take_in(&mut encoder, number, &canvas_view);
+        }
         self.queue.submit([encoder.finish()]);
         self.queue.present(canvas);
         Ok(())
@@ -266,6 +272,26 @@ impl Drop for Screen {
     fn drop(&mut self) {
         self.colour.texture().destroy();
         self.depth.texture().destroy();
+    }
+}
+
+/// The texture of the canvas for the next frame; none where nobody sees it. Errors if the canvas gives none
+/// any more.
+fn next_texture(
+    surface: &wgpu::Surface,
+    device: &wgpu::Device,
+    config: &wgpu::SurfaceConfiguration,
+) -> Result<Option<wgpu::SurfaceTexture>, DrawError> {
+    use wgpu::CurrentSurfaceTexture::*;
+    let mut texture = surface.get_current_texture();
+    if let Outdated = texture {
+        surface.configure(device, config);
+        texture = surface.get_current_texture();
+    }
+    match texture {
+        Success(texture) | Suboptimal(texture) => Ok(Some(texture)),
+        Timeout | Occluded => Ok(None),
+        Outdated | Lost | Validation => Err(DrawError::SurfaceLost),
     }
 }
 
@@ -303,7 +329,7 @@ fn begin_pass<'a>(
 }
 
 /// A texture to draw into.
-fn target(
+pub fn target(
     device: &wgpu::Device,
     (width, height): (u32, u32),
     format: wgpu::TextureFormat,
@@ -333,7 +359,7 @@ fn bind_sites(
 }
 
 /// A bind group whose bindings are numbered from 0.
-fn bind(
+pub fn bind(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
     resources: &[wgpu::BindingResource],

@@ -1,5 +1,6 @@
 //! Finds a graphics device for a canvas: the one place here that knows the browser.
 
+use super::still::can_mix;
 use super::{DrawError, Renderer};
 use std::sync::Arc;
 use wasm_bindgen::{JsCast, closure::Closure};
@@ -50,7 +51,8 @@ impl Renderer {
         if info.backend == wgpu::Backend::BrowserWebGpu {
             config.alpha_mode = wgpu::CompositeAlphaMode::PreMultiplied;
         }
-        Ok(Renderer::with_device(surface, config, device, queue, info))
+        let can_mix = can_mix(&adapter);
+        Ok(Renderer::with_device(surface, config, device, queue, info, can_mix))
     }
 }
 

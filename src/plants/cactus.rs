@@ -1,6 +1,6 @@
 //! Cactus: yellow blotches on blue-green columns (Thesis, Fig. 4.8).
 
-use super::{BodyError, Look, Plant, View, scatter, spikes};
+use super::{BodyError, Look, Plant, Skin, View, scatter, spikes};
 use crate::surface::{Body, PolygonMesh};
 use crate::tissue::Recipe;
 
@@ -39,6 +39,7 @@ pub const PLANT: Plant = Plant {
         variation: 0.08,
         border: 0.18,
         gloss: 0.3,
+        skin: Skin { wax: 0.14, unevenness: 0.015, ..Skin::EVEN },
         veins: false,
         bare: &[
             ("areole", [0.78, 0.72, 0.6], 0.0),

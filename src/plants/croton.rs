@@ -1,6 +1,6 @@
 //! Croton: a shrub whose leaves turn from green to yellow in one run (Thesis, Fig. 4.3).
 
-use super::{BodyError, Look, Plant, View, scatter};
+use super::{BodyError, Look, Plant, Skin, View, scatter};
 use crate::surface::{Body, ControlImage, Cylinder, Wrap};
 use crate::tissue::{Control, Recipe};
 use glam::Vec3;
@@ -38,7 +38,8 @@ pub const PLANT: Plant = Plant {
         tinted: &[],
         variation: 0.12,
         border: 0.25,
-        gloss: 0.55,
+        gloss: 0.65,
+        skin: Skin::LEAF,
         veins: true,
         bare: &[
             ("petiole", [0.42, 0.47, 0.2], 0.3),

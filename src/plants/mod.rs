@@ -20,6 +20,7 @@ mod croton;
 mod croton_shrub;
 mod diagram;
 mod long_watermelon;
+mod look;
 mod mushroom;
 pub mod original;
 mod philodendron;
@@ -32,8 +33,9 @@ mod square_watermelon;
 mod watermelon;
 
 use crate::surface::{Body, DirectionField, Group, Mesh, ObjError, PolygonMesh, SurfaceError};
-use crate::tissue::{CellType, Control, Growth, Recipe, RecipeError};
+use crate::tissue::{Control, Growth, Recipe, RecipeError};
 pub use diagram::{Diagram, Layer};
+pub use look::{Look, Skin};
 pub use show::Show;
 use std::sync::Arc;
 
@@ -123,25 +125,6 @@ impl Plant {
     }
 }
 
-/// Colours and materials; sRGB, 0 to 1.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Look {
-    /// Colours of F, B and M cells.
-    pub cells: [[f32; 3]; 3],
-    /// The colours of those types that a control image tints, where it is white.
-    pub tinted: &'static [(CellType, [f32; 3])],
-    /// How much the lightness of cells of one type varies, 0 to 1.
-    pub variation: f32,
-    /// How much darker the cell borders are than the cells, 0 to 1.
-    pub border: f32,
-    /// 0 matt to 1 waxy.
-    pub gloss: f32,
-    /// Whether the midrib and side veins of the leaf coordinates (`uvs`) are drawn.
-    pub veins: bool,
-    /// Colour and gloss of each bare material.
-    pub bare: &'static [(&'static str, [f32; 3], f32)],
-}
-
 /// From where the plant is first seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -205,6 +188,7 @@ fn rough(at: f32, item: u32, purpose: u32) -> f32 {
 mod tests {
     use super::*;
     use crate::surface::{Cylinder, NO_TWIN, Place, Wrap};
+    use crate::tissue::CellType;
     use crate::tissue::CellType::Foreground;
     use crate::tissue::Progress;
     use glam::Vec3;

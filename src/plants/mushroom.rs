@@ -1,6 +1,6 @@
 //! Fly agaric: white warts on a red cap (Thesis, Fig. 4.15).
 
-use super::{BodyError, Look, Plant, View, scatter, spikes};
+use super::{BodyError, Look, Plant, Skin, View, scatter, spikes};
 use crate::surface::{Body, ControlImage, Cylinder, PolygonMesh, Wrap};
 use crate::tissue::CellType::Foreground;
 use crate::tissue::{Control, Recipe, Use};
@@ -41,7 +41,13 @@ pub const PLANT: Plant = Plant {
         tinted: &[(Foreground, [0.88, 0.37, 0.08])],
         variation: 0.08,
         border: 0.15,
-        gloss: 0.6,
+        gloss: 0.5,
+        skin: Skin {
+            gloss: [1.0, 0.1, 1.0],
+            raised: [0.0, 0.28, 0.0],
+            unevenness: 0.015,
+            ..Skin::EVEN
+        },
         veins: false,
         bare: &[
             ("gills", [0.96, 0.94, 0.88], 0.0),

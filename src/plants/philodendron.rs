@@ -1,7 +1,7 @@
 //! Philodendron: a lime blaze along the midrib that spreads to the rim in feathered strokes
 //! (Thesis, Fig. 4.12).
 
-use super::{BodyError, Look, Plant, View, rough, scatter};
+use super::{BodyError, Look, Plant, Skin, View, rough, scatter};
 use crate::surface::{Body, ControlImage, DirectionField, Group, Guide, Mesh, Wrap};
 use crate::tissue::{Control, Recipe};
 use glam::{Vec2, Vec3};
@@ -41,7 +41,8 @@ pub const PLANT: Plant = Plant {
         tinted: &[],
         variation: 0.1,
         border: 0.15,
-        gloss: 0.4,
+        gloss: 0.45,
+        skin: Skin::LEAF,
         veins: true,
         bare: &[
             ("petiole", [0.5, 0.56, 0.24], 0.3),

@@ -1,6 +1,6 @@
 //! Snake plant: yellow margins round a banded green middle (Thesis, Fig. 4.19).
 
-use super::{BodyError, Look, Plant, View, rough, scatter};
+use super::{BodyError, Look, Plant, Skin, View, rough, scatter};
 use crate::surface::{Body, ControlImage, Wrap};
 use crate::tissue::{CellType, Control, Recipe, Use};
 
@@ -40,6 +40,7 @@ pub const PLANT: Plant = Plant {
         variation: 0.08,
         border: 0.12,
         gloss: 0.4,
+        skin: Skin { through: 0.4, wax: 0.04, ..Skin::LEAF },
         veins: false,
         bare: &[("pot", [0.66, 0.36, 0.24], 0.08), ("soil", [0.2, 0.15, 0.11], 0.0)],
     },

@@ -1,6 +1,6 @@
 //! Watermelon: dark jagged stripes from end to end (Thesis, Fig. 4.17).
 
-use super::{BodyError, Look, Plant, View, rough};
+use super::{BodyError, Look, Plant, Skin, View, rough};
 use crate::surface::{Body, ControlImage, Cylinder, Wrap};
 use crate::tissue::{Control, Recipe};
 use glam::Vec3;
@@ -39,6 +39,7 @@ pub const PLANT: Plant = Plant {
         variation: 0.07,
         border: 0.12,
         gloss: 0.5,
+        skin: Skin { gloss: [1.0, 0.85, 1.0], wax: 0.04, unevenness: 0.03, ..Skin::EVEN },
         veins: false,
         bare: &[("stem", [0.54, 0.478, 0.333], 0.05), ("scar", [0.5, 0.4, 0.28], 0.0)],
     },

@@ -149,6 +149,11 @@ impl Page {
         !self.camera.at_rest() || self.playhead.is_moving(self.run.newest(), self.run.last_day())
     }
 
+    /// Whether the visitor asked for less motion.
+    pub fn less_motion(&self) -> bool {
+        self.less_motion
+    }
+
     pub fn state(&self) -> State {
         if self.run.end == Some(End::Failed) {
             return State::Error;

@@ -1,6 +1,6 @@
 //! Small plants for the tests of this room, so that they need no catalogue and grow in no time.
 
-use crate::plants::{BodyError, Look, MeshFile, Plant, View};
+use crate::plants::{BodyError, Look, MeshFile, Plant, Skin, View};
 use crate::surface::{Body, DirectionField, Face, Guide, Mesh, PolygonMesh};
 use crate::tissue::Recipe;
 use glam::Vec3;
@@ -43,6 +43,7 @@ const fn plant(
             variation: 0.1,
             border: 0.3,
             gloss: 0.5,
+            skin: Skin::EVEN,
             veins: false,
             bare: &[],
         },

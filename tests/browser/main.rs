@@ -16,6 +16,7 @@ mod hosts;
 mod icons;
 mod journeys;
 mod ladder;
+mod light;
 mod losses;
 mod measure;
 mod offline;

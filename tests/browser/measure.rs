@@ -2,7 +2,7 @@
 //! depend on the machine.
 
 use crate::engines::Graphics;
-use crate::page::Page;
+use crate::page::{Page, keys};
 use crate::start::{Start, preset_link};
 use clonal_mosaic::plants::{self, Plant};
 use clonal_mosaic::play::protocol::{ToPage, ToWorker};
@@ -85,6 +85,43 @@ fn measure_a_held_day() {
             median(usize::MAX),
             state.cells
         );
+    }
+}
+
+/// What the graphics card, or software in its place, takes for a frame with all pixels while the plant is
+/// turned.
+#[test]
+#[ignore = "measures, which takes minutes: ./playground measure"]
+fn measure_a_moving_frame() {
+    const TURNS: usize = 12;
+    println!(
+        "\nA frame of a turned plant with all pixels, milliseconds of the adapter, best of {TURNS}."
+    );
+    let Some(page) = Page::start(Graphics::WebGpu) else { return };
+    page.before_pages(
+        "const submit = GPUQueue.prototype.submit;
+         window.drawn_ms = [];
+         GPUQueue.prototype.submit = function (buffers) {
+             const begun = performance.now();
+             submit.call(this, buffers);
+             const canvas = document.getElementById('canvas');
+             if (canvas.width === Math.round(canvas.clientWidth * devicePixelRatio))
+                 this.onSubmittedWorkDone().then(() => window.drawn_ms.push(performance.now() - begun))
+         }",
+    );
+    for plant in ["croton", "philodendron", "watermelon", "mushroom"] {
+        page.visit(&format!("#{plant}?v=1&s=1"));
+        page.ready();
+        page.sharp();
+        page.run("document.getElementById('stage').focus(); window.drawn_ms = []");
+        for _ in 0..TURNS {
+            page.press(&[keys::LEFT]);
+            std::thread::sleep(std::time::Duration::from_secs(1));
+            page.sharp();
+        }
+        let drawn_ms = page.run("return window.drawn_ms");
+        let drawn_ms: Vec<f64> = serde_json::from_value(drawn_ms).expect("numbers");
+        println!("{plant:12} {:8.1}", drawn_ms.into_iter().fold(f64::INFINITY, f64::min));
     }
 }
 

@@ -226,6 +226,54 @@ impl Page {
         );
     }
 
+    /// Makes pages that are loaded from now on take software for a graphics card.
+    #[track_caller]
+    pub fn pretend_card(&self) {
+        self.before_pages(
+            "if (window.GPUAdapterInfo)
+                 Object.defineProperty(GPUAdapterInfo.prototype, 'isFallbackAdapter', {get: () => false});
+             const ask = WebGL2RenderingContext.prototype.getParameter;
+             WebGL2RenderingContext.prototype.getParameter = function (what) {
+                 const said = ask.call(this, what);
+                 return /SwiftShader/.test(said) ? 'A graphics card' : said
+             }",
+        );
+    }
+
+    /// Makes pages that are loaded from now on run this script before their own.
+    #[track_caller]
+    pub fn before_pages(&self, script: &str) {
+        let source = format!("(() => {{ {script} }})()");
+        self.devtools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": source }));
+    }
+
+    /// Waits until the page asks for no frames any more; how many it has asked for, if it was opened
+    /// after `count_frames`.
+    #[track_caller]
+    pub fn rest(&self) -> u64 {
+        let asked = || self.run("return window.frames_asked || 0").as_u64().expect("a number");
+        let (begun, mut before) = (Instant::now(), asked());
+        loop {
+            std::thread::sleep(Duration::from_millis(1_500));
+            let now = asked();
+            if now == before {
+                return now;
+            }
+            assert!(begun.elapsed() < PATIENCE, "the page asks for frames for ever: {now}");
+            before = now;
+        }
+    }
+
+    /// Makes pages that are loaded from now on count the frames that they ask for.
+    #[track_caller]
+    pub fn count_frames(&self) {
+        self.before_pages(
+            "const ask = window.requestAnimationFrame.bind(window);
+             window.frames_asked = 0;
+             window.requestAnimationFrame = callback => { window.frames_asked += 1; return ask(callback) }",
+        );
+    }
+
     /// What the canvas shows, with all its pixels.
     #[track_caller]
     pub fn picture(&self) -> Picture {

@@ -24,6 +24,8 @@ const FADE: f32 = 0.15;
 #[ignore = "draws the posters, which takes minutes: ./playground posters"]
 fn posters() {
     let Some(page) = Page::start(Graphics::WebGpu) else { return };
+    page.pretend_card();
+    page.count_frames();
     // The plant is put into a square by a style of our own.
     page.devtools("Page.setBypassCSP", json!({ "enabled": true }));
     let clear = json!({ "color": { "r": 0, "g": 0, "b": 0, "a": 0 } });
@@ -48,6 +50,7 @@ fn posters() {
         );
         // The picture fades in.
         std::thread::sleep(Duration::from_secs(1));
+        page.rest();
         let still = Still::decode(&page.png("#stage"));
         still.with_shadows(fade_at_the_rim).save(plant.key);
         let small = still.with_shadows(|_, _| 0.0).smaller(STAGE_PX / CHOOSER_PX);
@@ -104,11 +107,13 @@ impl Still {
         Still { width: info.width as usize, rgba }
     }
 
-    /// With so much of the shadows, which are black and not opaque.
+    /// With so much of the shadows, which are a dark brown and not opaque.
     fn with_shadows(&self, left: impl Fn(f32, f32) -> f32) -> Still {
         let mut still = self.clone();
         for (k, [r, g, b, a]) in still.rgba.iter_mut().enumerate() {
-            if *r.max(g).max(b) < 8 && *a < 255 {
+            // Where little is left of them, their colour is rounded.
+            let (brightest, opacity) = (u32::from(*r.max(g).max(b)), u32::from(*a));
+            if brightest * opacity < 44 * opacity + 510 && opacity < 255 {
                 let at = |k: usize| (k as f32 + 0.5) / self.width as f32;
                 *a = (f32::from(*a) * left(at(k % self.width), at(k / self.width))).round() as u8;
             }

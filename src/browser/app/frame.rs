@@ -33,17 +33,16 @@ impl App {
             Ok(drawn) => drawn,
             Err(DrawError::TooLarge { .. }) => {
                 self.messages.also(backend::TOO_LARGE);
-                Some(Drawn { sharp: true })
+                Some(Drawn::DONE)
             }
             Err(_) => return self.lose(self.canvases.current()),
         };
-        let sharp = drawn.is_none_or(|drawn| drawn.sharp);
-        if drawn.is_some() {
+        if let Some(Drawn { sharp, .. }) = drawn {
             let effects = self.page.hear(Event::Drawn { sharp });
             self.act(effects);
         }
         self.show();
-        if self.page.is_moving() || !sharp {
+        if self.page.is_moving() || drawn.is_some_and(|drawn| !drawn.done) {
             self.frames.ask();
         } else {
             self.frames.rest();

@@ -54,6 +54,36 @@ fn veins(uv: vec2f, uv_dx: vec2f, uv_dy: vec2f) -> Veins {
     return Veins(midrib.x, side.x, slope);
 }
 
+// The slope of a skin that is not quite even: waves in space, twice as long as a cell is wide and longer,
+// where they are wide enough to be seen.
+fn unevenness(world: vec3f, pixel: f32) -> vec3f {
+    let scale = 2.2 / scene.tissue.x;
+    let fade = scene.skin.y * (1.0 - smoothstep(0.15, 0.35, pixel * scale));
+    if fade <= 0.0 {
+        return vec3f(0.0);
+    }
+    let place = world * scale;
+    return fade * (cos(place.yzx * 0.61 + 1.7 * sin(place.zxy * 0.37))
+        + cos(place.zxy * 1.3 + 2.3 * sin(place * 0.53)));
+}
+
+// What a leaf lets through is more yellow than what it sends back.
+fn passed(colour: vec3f) -> vec3f {
+    return vec3f(max(colour.r, 0.6 * colour.g), colour.g, 0.3 * colour.b) * (1.2 * scene.tissue.z);
+}
+
+// The surface of a fragment without pattern. What is not thin is not seen from behind at its outline,
+// where rounded normals look away from the eye.
+fn surface_of(in: Fragment, front: bool, is_thin: bool, colour: vec3f, gloss: f32) -> Surface {
+    let outward = normalize(in.normal.xyz);
+    let away = in.world - scene.eye.xyz;
+    let is_front = front || (!is_thin && dot(outward, away) < 0.3 * length(away));
+    let open = vec2f(in.normal.w, in.bent.w);
+    return Surface(in.world, select(-outward, outward, is_front), colour, gloss,
+                   select(open.yx, open, is_front), normalize(select(-outward, in.bent.xyz, is_front)),
+                   vec3f(0.0));
+}
+
 @fragment
 fn fs_body(in: Fragment, @builtin(front_facing) front: bool) -> @location(0) vec4f {
     let world_dx = dpdx(in.world);
@@ -62,20 +92,19 @@ fn fs_body(in: Fragment, @builtin(front_facing) front: bool) -> @location(0) vec
     let place_dy = dpdy(in.plane);
     let uv_dx = dpdx(in.uv);
     let uv_dy = dpdy(in.uv);
-    let outward = normalize(in.normal);
-    var normal = select(-outward, outward, front);
-
+    var surface = surface_of(in, front, scene.tissue.z > 0.0, vec3f(0.0), 0.0);
     if scene.diagram.x + scene.diagram.y > 0.0 {
-        var covering = triangle_colour(in.number);
-        if scene.diagram.y > 0.0 {
-            covering = layers_colour(in.world, world_dx, world_dy, in.uv, uv_dx, uv_dy);
-        }
         // Matt, so that colours can be read.
-        let light = shade(Surface(in.world, normal, covering, 0.0, in.openness, 0.0));
-        return to_screen(light, in.clip);
+        surface.colour = triangle_colour(in.number);
+        if scene.diagram.y > 0.0 {
+            surface.colour = layers_colour(in.world, world_dx, world_dy, in.uv, uv_dx, uv_dy);
+        }
+        return to_screen(shade(surface), in.clip);
     }
     let tiles = mosaic(in.number, in.plane, place_dx, place_dy);
-    var colour = tiles.colour;
+    var colour = tiles.colour.rgb;
+    let normal = surface.normal;
+    var clear = 1.0;
     let plane = gradients(normal, world_dx, world_dy, place_dx, place_dy);
     var bend = plane.x * tiles.slope.x + plane.y * tiles.slope.y;
 
@@ -86,23 +115,30 @@ fn fs_body(in: Fragment, @builtin(front_facing) front: bool) -> @location(0) vec
         let leaf = gradients(normal, world_dx, world_dy, uv_dx, uv_dy);
         // Sunken above, raised below.
         let depth_cm = select(-0.03, 0.05, front);
+        clear -= 0.45 * max(vein.midrib, vein.side);
         bend += depth_cm * (leaf.x * vein.slope.x + leaf.y * vein.slope.y);
     }
     // A leaf is paler and duller below.
     let below = scene.tissue.z * select(1.0, 0.0, front);
     let grey = dot(colour, vec3f(0.25, 0.65, 0.10));
+    surface.through = passed(colour) * clear;
     colour = mix(colour, mix(colour, vec3f(grey), 0.25) * 1.1 + 0.01, below);
-    normal = normalize(normal + bend);
-    let gloss = scene.look.z * (1.0 - 0.5 * below);
-    let light = shade(Surface(in.world, normal, colour, gloss, in.openness, 0.45 * scene.tissue.z));
-    return to_screen(light, in.clip);
+    bend += unevenness(in.world, max(length(world_dx), length(world_dy)));
+    surface.normal = normalize(normal + bend);
+    // The thicker the wax is on the way to the eye, the paler and the duller.
+    var wax = scene.skin.x;
+    if wax > 0.0 {
+        let n_view = max(dot(surface.normal, normalize(scene.eye.xyz - in.world)), 0.1);
+        wax = 1.0 - exp(-wax / n_view);
+    }
+    surface.colour = mix(colour, vec3f(0.52, 0.60, 0.56), wax);
+    surface.gloss = scene.look.z * tiles.colour.w * (1.0 - 0.5 * below) * (1.0 - wax);
+    return to_screen(shade(surface), in.clip);
 }
 
 @fragment
 fn fs_bare(in: Fragment, @builtin(front_facing) front: bool) -> @location(0) vec4f {
-    let outward = normalize(in.normal);
-    let normal = select(-outward, outward, front);
     let material = scene.bare[in.number];
-    let light = shade(Surface(in.world, normal, material.rgb, material.w, in.openness, 0.0));
-    return to_screen(light, in.clip);
+    let surface = surface_of(in, front, false, material.rgb, material.w);
+    return to_screen(shade(surface), in.clip);
 }

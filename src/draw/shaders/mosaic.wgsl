@@ -10,7 +10,8 @@
 const BORDER_SHARE = 0.032;
 
 struct Mosaic {
-    colour: vec3f,
+    // w: gloss, as a share of the look's.
+    colour: vec4f,
     // Slope of the surface towards a near border, in the triangle's plane.
     slope: vec2f,
 }
@@ -69,15 +70,16 @@ fn tint_of(tag: u32) -> f32 {
     return f32((tag >> 9u) & 7u) / 7.0;
 }
 
-// The colour of cells of a type.
-fn tinted(kind: u32, tint: f32) -> vec3f {
-    let colour = mix(scene.cells[kind].rgb, scene.tinted[kind].rgb, tint);
-    return colour * colour;
+// The colour of cells of a type. w: their gloss.
+fn tinted(kind: u32, tint: f32) -> vec4f {
+    let plain = scene.cells[kind];
+    let colour = mix(plain.rgb, scene.tinted[kind].rgb, tint);
+    return vec4f(colour * colour, plain.w);
 }
 
-fn colour_of(tag: u32) -> vec3f {
+fn colour_of(tag: u32) -> vec4f {
     let lightness = 1.0 + scene.look.x * (2.0 / 15.0 * f32(tag >> 12u) - 1.0);
-    return tinted(kind_of(tag), tint_of(tag)) * lightness * lightness;
+    return tinted(kind_of(tag), tint_of(tag)) * vec4f(vec3f(lightness * lightness), 1.0);
 }
 
 // Of two cells that stand on one spot, whether the first was born of the second.
@@ -99,9 +101,12 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
     let pixel = max(length(place_dx), length(place_dy));
     // 1: cells are seen one by one; 0: they are smaller than a pixel and a half.
     let apart = smoothstep(1.2, 3.0, spacing / pixel);
-    var colour = vec3f(0.0);
+    var colour = vec4f(0.0);
     var line = 0.0;
     var slope = vec2f(0.0);
+    // The same of what stands higher than its neighbours, and the shade beside it.
+    var bank = vec2f(0.0);
+    var shade = 0.0;
     if apart > 0.0 {
         var nearest = vec3u(NONE);
         for (var i = 0u; i < count; i += 2u) {
@@ -113,6 +118,8 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
         let first = near_of(head.x, nearest.x, here);
         colour = colour_of(first.tag);
         let half_line = BORDER_SHARE * spacing;
+        // Small cells of two types run into each other; from a dozen pixels on they are polygons.
+        let soft = 0.33 * spacing * (1.0 - smoothstep(10.0, 14.0, spacing / pixel));
         for (var k = 0u; k < 2u; k++) {
             let key = select(nearest.y, nearest.z, k == 1u);
             let other = near_of(head.x, key, here);
@@ -130,7 +137,9 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
             // A newborn cell stands where its parent stands: its border and its colour come as they
             // part.
             let parted = smoothstep(0.0, 0.3, apart_cm / spacing);
-            var kept = mix(1.0, clamp(0.5 + to_border / width, 0.0, 1.0), parted);
+            let is_alike = kind_of(first.tag) == kind_of(other.tag);
+            let edge = max(width, select(soft, 0.0, is_alike));
+            var kept = mix(1.0, clamp(0.5 + to_border / edge, 0.0, 1.0), parted);
             if parted < 1.0 && is_child(first.tag, other.tag) {
                 kept = max(parted, scene.eye.w);
             }
@@ -140,9 +149,17 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
             line = max(line, cover * parted);
             let steep = to_border / (1.7 * half_line);
             slope += across * (parted * exp(-steep * steep));
+            let step = scene.tinted[kind_of(first.tag)].w - scene.tinted[kind_of(other.tag)].w;
+            if step != 0.0 {
+                let near = parted * (1.0 - smoothstep(0.0, 0.5, to_border / spacing));
+                bank += across * (max(step, 0.0) * near);
+                shade = max(shade, -0.5 * step * near * near);
+            }
         }
         // Cells are a little domed, where they are large enough to see it.
         slope *= 0.16 * smoothstep(8.0, 24.0, spacing / pixel);
+        slope += bank * apart;
+        line = max(line, shade * apart);
     }
     if apart < 1.0 {
         let mean_radius = max(1.3 * spacing, pixel) / scale;
@@ -166,5 +183,5 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
         line = mix(4.0 * BORDER_SHARE, line, apart);
     }
     let border = scene.look.y * (2.0 - scene.look.y);
-    return Mosaic(colour * (1.0 - border * line), slope);
+    return Mosaic(colour * vec4f(vec3f(1.0 - border * line), 1.0), slope);
 }

@@ -1,0 +1,103 @@
+//! What is to be drawn on the stage, and the body that it is drawn on.
+
+use crate::draw::{DrawError, Geometry, Renderer};
+use crate::mosaic::SiteLists;
+use crate::plants::{BodyError, Look, Plant, Show};
+use crate::play::camera::{Camera, Sphere};
+use crate::play::handed::{Part, Wanted};
+use crate::play::outline::Outline;
+use crate::play::page::Page;
+use crate::surface::Body;
+
+pub(super) struct OnStage {
+    pub(super) body: Body,
+    pub(super) geometry: Geometry,
+    pub(super) sphere: Sphere,
+}
+
+/// What is to be drawn.
+pub(super) struct Picture<'a> {
+    pub(super) plant: &'static Plant,
+    pub(super) look: &'a Look,
+    pub(super) show: Show,
+    /// The text of the plant's mesh, once it has come.
+    pub(super) mesh: Option<&'a str>,
+    /// None: those that are there stay.
+    pub(super) cells: Option<Cells<'a>>,
+    pub(super) camera: &'a Camera,
+    pub(super) moment: f32,
+    pub(super) size_px: (u32, u32),
+    /// Whether it stays as it is when it rests.
+    pub(super) calm: bool,
+}
+
+/// The cells of a day of a growth.
+pub(super) struct Cells<'a> {
+    pub(super) generation: u32,
+    pub(super) day: u32,
+    pub(super) count: u32,
+    pub(super) lists: &'a SiteLists,
+}
+
+impl<'a> Picture<'a> {
+    /// What the page shows.
+    pub(super) fn of(page: &'a Page, size_px: (u32, u32)) -> Picture<'a> {
+        let (shown, run, scene) = (page.shown(), page.run(), page.scene());
+        let day = shown.day.as_ref().filter(|_| shown.generation == run.generation);
+        let cells = day.and_then(|day| {
+            let (count, lists) = (day.facts.count.cells, run.lists(day.day)?);
+            Some(Cells { generation: run.generation, day: day.day, count, lists })
+        });
+        Picture {
+            plant: scene.plant,
+            look: &scene.look,
+            show: scene.show,
+            mesh: page.mesh(),
+            cells,
+            camera: page.camera(),
+            moment: shown.day.as_ref().map_or(1.0, |day| day.moment),
+            size_px,
+            calm: page.less_motion(),
+        }
+    }
+
+    pub(super) fn wanted(&self) -> Wanted<'_> {
+        let cells = self.cells.as_ref().map(|cells| (cells.generation, cells.day));
+        Wanted { plant: self.plant.key, look: self.look, show: self.show, cells }
+    }
+
+    /// Hands a part of it to the renderer. Errors if it is too large.
+    pub(super) fn hand(
+        &self,
+        part: Part,
+        on: &OnStage,
+        renderer: &mut Renderer,
+    ) -> Result<(), DrawError> {
+        match (part, &self.cells) {
+            (Part::Body, _) => renderer.set_body(&on.body, &on.geometry),
+            (Part::Look, _) => renderer.set_look(self.look, &on.geometry),
+            (Part::Show, _) => {
+                renderer.set_diagram(&self.show.diagram(self.plant, &on.body.surface))?;
+            }
+            (Part::Cells, Some(cells)) => {
+                let area = on.body.surface.area;
+                renderer.set_sites(cells.lists, (area / cells.count.max(1) as f32).sqrt())?;
+            }
+            // None are wanted.
+            (Part::Cells, None) => {}
+        }
+        Ok(())
+    }
+}
+
+impl OnStage {
+    pub(super) fn of(plant: &Plant, mesh: &str) -> Result<OnStage, BodyError> {
+        let body = (plant.body)(mesh)?;
+        let (geometry, sphere) = (Geometry::new(&body), Sphere::around(&body));
+        Ok(OnStage { body, geometry, sphere })
+    }
+
+    pub(super) fn outline<'a>(&'a self, camera: &'a Camera) -> Outline<'a> {
+        Outline { body: &self.body, sphere: &self.sphere, camera }
+    }
+}
