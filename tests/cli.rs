@@ -215,6 +215,63 @@ fn shards_on_any_number_of_threads_merge_to_the_table_of_the_whole() {
 }
 
 #[test]
+fn a_number_is_varied_and_each_line_can_be_grown_again() {
+    let what = [
+        "sweep",
+        "--preset",
+        "mushroom",
+        "--day",
+        "6",
+        "--vary",
+        "df=3..9:3",
+        "--vary",
+        "n=100,200",
+    ];
+    let run = |more: &[&str]| succeed(&[&what[..], more].concat());
+    let table: Value = serde_json::from_str(&run(&["--individuals", "2", "--json"])).unwrap();
+    let lines = table["pictures"].as_array().unwrap();
+    let numbers: Vec<(f64, f64)> = lines
+        .iter()
+        .map(|line| (line["df"].as_f64().unwrap(), line["n"].as_f64().unwrap()))
+        .collect();
+    assert_eq!(
+        numbers,
+        [(3.0, 100.0), (3.0, 200.0), (6.0, 100.0), (6.0, 200.0), (9.0, 100.0), (9.0, 200.0)]
+    );
+    for line in lines {
+        let link = line["link"].as_str().unwrap();
+        assert!(link.starts_with("mushroom?v=1&s=1&d=6&n="), "{link}");
+        let of_individual = |n: &str| {
+            let grown = json(&["grow", "--link", link, "--individual", n, "--json"]);
+            grown["days"][6]["cells"].as_f64().unwrap()
+        };
+        assert_eq!(line["cells"], (of_individual("1") + of_individual("2")) / 2.0, "{link}");
+    }
+    // The quicker red divides, the more of it there is.
+    let red = |k: usize| lines[k]["count_shares"]["F"].as_f64().unwrap();
+    assert!(red(0) > red(2) && red(2) > red(4), "{lines:?}");
+
+    let whole = run(&["--csv"]);
+    assert!(whole.starts_with("plant,df,n,individuals,cells,"), "{whole}");
+    let shards = ["2/2", "1/2"].map(|shard| {
+        let rows = run(&["--shard", shard]);
+        file(&format!("vary-{}.csv", &shard[..1]), &rows)
+    });
+    assert_eq!(succeed(&["sweep", "--merge", &shards[0], &shards[1], "--csv"]), whole);
+    let read = succeed(&["sweep", "--merge", &shards[0], &shards[1]]);
+    assert!(read.lines().skip(5).all(|line| line.contains("  mushroom?v=1&s=1&d=6")), "{read}");
+
+    // An individual that outgrows its recipe has no line: the mean would lie.
+    let output = mosaic(&["sweep", "--link", "mushroom?v=1&s=1&d=20&n=20000", "--vary", "df=1.5,2"]);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(
+        told.contains("df=1.5, individual 1: on day ") && told.contains("60000 cells"),
+        "{told}"
+    );
+}
+
+#[test]
 fn the_cap_is_told_and_what_has_grown_is_kept() {
     let recipe = file(
         "cap.json",
@@ -265,7 +322,8 @@ fn help_and_version_are_there() {
         ["--link", "--preset", "--recipe", "--mesh", "--individual", "--day", "--cells", "--json"];
     let figures =
         ["--figure", "--individuals", "--threads", "--shard", "--merge", "--csv", "--json"];
-    let all = ["grow", "figures", "bench", "Exit status"];
+    let sweep = ["--link", "--preset", "--day", "--vary", "df=4..12:5", "--individuals", "--shard"];
+    let all = ["grow", "figures", "sweep", "bench", "Exit status"];
     for (arguments, words) in [
         (&["--help"][..], &all[..]),
         (&["help"], &all),
@@ -273,6 +331,7 @@ fn help_and_version_are_there() {
         (&["grow", "--help"], &grow),
         (&["help", "grow"], &grow),
         (&["figures", "--help"], &figures),
+        (&["sweep", "--help"], &sweep),
         (&["bench", "--help"], &["--runs"]),
     ] {
         let help = succeed(arguments);
@@ -337,6 +396,22 @@ fn wrong_input_is_refused_on_one_line() {
         (&["figures", "--individuals", "0"], "--individuals is 0"),
         (&["figures", "--individuals", "many"], "many"),
         (&["figures", "--threads", "0"], "--threads is 0"),
+        (&["sweep", "--vary", "df"], "no values"),
+        (&["sweep", "--vary", "nix=1..2"], "there is no number \"nix\": there are n, "),
+        (&["sweep", "--vary", "df=1..x"], "\"x\" is no number"),
+        (&["sweep", "--vary", "df=4..8:1"], "from 2 to"),
+        (&["sweep", "--vary", "df=4,4"], "4 comes twice"),
+        (&["sweep", "--vary", "df=4,5", "--vary", "df=6,7"], "df comes twice"),
+        (&["sweep", "--vary", "df=0.5,5"], "df=0.5: it must be from"),
+        (
+            &["sweep", "--preset", "red-croton", "--vary", "pf=0.7,0.8", "--vary", "pm=0.6,0.9"],
+            "pf would be",
+        ),
+        (&["sweep", "--vary", "n=1..20000:400", "--vary", "df=2..9:400"], "combinations"),
+        (&["sweep", "--day", "999", "--vary", "df=4,5"], "--day is 999"),
+        (&["sweep", "--link", "rose?v=1", "--vary", "df=4,5"], "rose"),
+        (&["sweep", "--link", "croton?v=1", "--preset", "cactus"], "only one"),
+        (&["sweep", "--merge", "x.csv", "--vary", "df=4,5"], "only one"),
         (&["figures", "--shard", "3"], "--shard"),
         (&["figures", "--shard", "0/4"], "0/4"),
         (&["figures", "--shard", "5/4"], "5/4"),

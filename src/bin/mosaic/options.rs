@@ -36,6 +36,12 @@ pub enum Command {
     /// share of neighbours that are of unlike type.
     #[command(verbatim_doc_comment)]
     Figures(FigureOptions),
+    /// Many individuals of a plant for every value of some of its numbers, and their means
+    ///
+    /// Many individuals of a plant for every value of some of its numbers, or for every combination of
+    /// them, and their means as `mosaic figures` has them, each with the link that shows it.
+    #[command(verbatim_doc_comment)]
+    Sweep(SweepOptions),
     /// How fast the engine is on this machine
     Bench(BenchOptions),
 }
@@ -102,9 +108,61 @@ impl GrowOptions {
 #[derive(Args)]
 pub struct FigureOptions {
     /// This figure alone, as 4.8; may be said several times
-    #[arg(long = "figure", value_name = "NUMBER", action = ArgAction::Append)]
+    #[arg(
+        long = "figure", value_name = "NUMBER", action = ArgAction::Append,
+        conflicts_with = "merge"
+    )]
     pub figures: Vec<String>,
-    /// Individuals 1 to N of each picture
+    #[command(flatten)]
+    pub many: ManyOptions,
+}
+
+/// What `mosaic sweep` is asked for.
+#[derive(Args)]
+pub struct SweepOptions {
+    #[command(flatten)]
+    source: PlantOptions,
+    /// The day to grow to; without it the link's day, or all days of the plant
+    #[arg(
+        long, value_name = "D", value_parser = whole, allow_negative_numbers = true,
+        conflicts_with = "merge"
+    )]
+    pub day: Option<u32>,
+    /// A number by its word in links, and its values: df=4..12:5 are five from 4 to 12 in even steps
+    /// (without :5, too), df=4,6,12 are these. Said several times, every combination grows
+    #[arg(
+        long, value_name = "KEY=FROM..TO[:N]", action = ArgAction::Append,
+        conflicts_with = "merge", verbatim_doc_comment
+    )]
+    pub vary: Vec<String>,
+    #[command(flatten)]
+    pub many: ManyOptions,
+}
+
+/// Which plant: one of them, or the croton.
+#[derive(Args)]
+#[group(multiple = false, conflicts_with = "merge")]
+struct PlantOptions {
+    /// The plant and the numbers of a playground link, or of the part after its #
+    #[arg(long, value_name = "TEXT")]
+    link: Option<String>,
+    #[arg(long, value_name = "NAME", help = presets())]
+    preset: Option<String>,
+}
+
+impl SweepOptions {
+    pub fn source(&self) -> Source<'_> {
+        match &self.source {
+            PlantOptions { link: Some(text), .. } => Source::Link(text),
+            PlantOptions { preset, .. } => Source::Preset(preset.as_deref().unwrap_or(FIRST_PLANT)),
+        }
+    }
+}
+
+/// How many individuals, and what becomes of their rows.
+#[derive(Args)]
+pub struct ManyOptions {
+    /// Individuals 1 to N of each
     #[arg(
         long, value_name = "N", default_value = "5",
         value_parser = from_one_to::<100_000>, allow_negative_numbers = true
@@ -116,7 +174,7 @@ pub struct FigureOptions {
     /// Makes the table of the rows of all shards
     #[arg(
         long, value_name = "FILE", num_args = 1..,
-        conflicts_with_all = ["figures", "individuals", "threads", "shard"]
+        conflicts_with_all = ["individuals", "threads", "shard"]
     )]
     pub merge: Vec<PathBuf>,
     #[command(flatten)]
@@ -199,7 +257,7 @@ fn refusal(error: &clap::Error) -> Refusal {
     let argument = option(ContextKind::InvalidArg);
     match error.kind() {
         ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            "say what to do: mosaic grow, figures or bench, or mosaic --help".into()
+            "say what to do: mosaic grow, figures, sweep or bench, or mosaic --help".into()
         }
         ErrorKind::InvalidSubcommand => {
             format!(

@@ -4,7 +4,7 @@ use super::Refusal;
 use super::options::{FIRST_PLANT, GrowOptions, Source};
 use super::output::cannot;
 use clonal_mosaic::plants::{self, Plant};
-use clonal_mosaic::play::{FIRST_INDIVIDUAL, link};
+use clonal_mosaic::play::{FIRST_INDIVIDUAL, Scene, link};
 use clonal_mosaic::surface::{Brought, Mesh, quoted};
 use clonal_mosaic::tissue::{Growth, Noise, Recipe};
 use glam::DVec3;
@@ -65,7 +65,7 @@ pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
     };
     let day = options.day.unwrap_or(day);
     if day > recipe.days {
-        return Err(format!("--day is {day}, but this recipe ends at day {}", recipe.days));
+        return Err(too_late(day, recipe.days));
     }
     recipe.days = day;
     let (mesh, reading) = match (&options.mesh, plant) {
@@ -91,10 +91,31 @@ fn of_plant(plant: &'static Plant) -> Wish {
     Wish { plant: Some(plant), recipe, individual: FIRST_INDIVIDUAL, day, noise: false }
 }
 
+/// The scene that a link or a preset's name says, on this day if one is named.
+pub fn scene(source: Source, day: Option<u32>) -> Result<Scene, Refusal> {
+    let mut scene = match source {
+        Source::Link(text) => scene_of_link(text)?,
+        Source::Preset(name) => {
+            let plant = plant(name)?;
+            Scene { day: plant.recipe.days, ..Scene::preset(plant, FIRST_INDIVIDUAL) }
+        }
+        Source::Recipe(_) => unreachable!("a scene is a plant's"),
+    };
+    scene.day = day.unwrap_or(scene.day);
+    if scene.day > scene.recipe.days {
+        return Err(too_late(scene.day, scene.recipe.days));
+    }
+    Ok(scene)
+}
+
+fn too_late(day: u32, days: u32) -> Refusal {
+    format!("--day is {day}, but this recipe ends at day {days}")
+}
+
 /// A whole address is taken for the part after its `#`, which a messenger may have written as `%23`;
 /// without one it is the page's own, which shows the first plant. The page loads what it can of a bad
 /// link; a script is better served by a refusal.
-fn of_link(text: &str) -> Result<Wish, Refusal> {
+fn scene_of_link(text: &str) -> Result<Scene, Refusal> {
     let fragment = match text.split_once('#').or_else(|| text.split_once("%23")) {
         Some((_, fragment)) => fragment,
         None if text.contains("://") => "",
@@ -104,7 +125,11 @@ fn of_link(text: &str) -> Result<Wish, Refusal> {
     if !opened.left_out.is_empty() {
         return Err(format!("the link: {}", opened.left_out.join(" ")));
     }
-    let scene = opened.scene;
+    Ok(opened.scene)
+}
+
+fn of_link(text: &str) -> Result<Wish, Refusal> {
+    let scene = scene_of_link(text)?;
     Ok(Wish {
         plant: Some(scene.plant),
         recipe: scene.recipe,

@@ -14,10 +14,12 @@ use std::thread;
 
 /// A picture whose individuals are grown.
 pub struct Subject {
-    pub figure: &'static str,
-    pub label: &'static str,
-    scene: Scene,
-    mesh: Arc<Mesh>,
+    pub figure: String,
+    pub label: String,
+    pub scene: Scene,
+    pub mesh: Arc<Mesh>,
+    /// An individual with more cells is refused.
+    pub max_cells: u32,
 }
 
 /// One individual of a picture: a row of what a shard prints.
@@ -26,6 +28,7 @@ pub struct Row {
     /// Its number in the sweep, from 0, and how many there are.
     pub item: usize,
     pub items: usize,
+    /// Of a plant whose numbers vary: its key, and `df=4 pf=0.2`.
     pub figure: String,
     pub picture: String,
     pub individual: u32,
@@ -51,26 +54,30 @@ pub fn subjects(figures: &[&'static Figure]) -> Vec<Subject> {
         for picture in figure.pictures {
             let scene = Scene { individual: 1, ..link::read(picture.link, plants::all()).scene };
             if let Some(same) = subjects[first..].iter_mut().find(|other| other.scene == scene) {
-                same.label = "individuals";
+                same.label = "individuals".into();
                 continue;
             }
             let surface = || Arc::new(scene.plant.embedded_body().surface);
             let mesh = meshes.entry(scene.plant.key).or_insert_with(surface).clone();
-            subjects.push(Subject { figure: figure.number, label: picture.label, scene, mesh });
+            // The cap guards a visitor's memory; here it would cut off the largest individuals.
+            let max_cells = Recipe::MOST_CELLS;
+            let (figure, label) = (figure.number.into(), picture.label.into());
+            subjects.push(Subject { figure, label, scene, mesh, max_cells });
         }
     }
     subjects
 }
 
 /// Grows one of so many shards, counted from 1, of the individuals `1..=individuals` of all subjects,
-/// on some threads. `tell` hears of each that is done; the rows come in the order of their numbers.
+/// on some threads. `tell` hears of each that is done; the rows come in the order of their numbers. The
+/// first that cannot be grown ends all.
 pub fn grow(
     subjects: &[Subject],
     individuals: u32,
     (shard, shards): (u32, u32),
     threads: usize,
     tell: impl Fn(&Row) + Sync,
-) -> Vec<Row> {
+) -> Result<Vec<Row>, Refusal> {
     let items = subjects.len() * individuals as usize;
     let work: Vec<usize> = (shard as usize - 1..items).step_by(shards as usize).collect();
     let next = AtomicUsize::new(0);
@@ -79,40 +86,57 @@ pub fn grow(
         while let Some(&item) = work.get(next.fetch_add(1, Ordering::Relaxed)) {
             let subject = &subjects[item / individuals as usize];
             let individual = (item % individuals as usize) as u32 + 1;
-            let row = Row { item, items, ..subject.grow(individual) };
+            let grown = subject.grow(individual).inspect_err(|_| {
+                // Nobody begins another one.
+                next.store(work.len(), Ordering::Relaxed);
+            })?;
+            let row = Row { item, items, ..grown };
             tell(&row);
             rows.push(row);
         }
-        rows
+        Ok(rows)
     };
-    let mut rows: Vec<Row> = thread::scope(|scope| {
+    let rows: Result<Vec<Vec<Row>>, Refusal> = thread::scope(|scope| {
         let workers: Vec<_> = (0..threads.min(work.len())).map(|_| scope.spawn(work_off)).collect();
-        workers.into_iter().flat_map(|worker| worker.join().expect("a worker grows")).collect()
+        workers.into_iter().map(|worker| worker.join().expect("a worker grows")).collect()
     });
+    let mut rows = rows?.concat();
     rows.sort_by_key(|row| row.item);
-    rows
+    Ok(rows)
 }
 
 impl Subject {
     /// Grows an individual up to the picture's day.
-    fn grow(&self, individual: u32) -> Row {
+    fn grow(&self, individual: u32) -> Result<Row, Refusal> {
         let day = self.scene.day;
-        // The cap guards a visitor's memory; here it would cut off the largest individuals.
-        let recipe =
-            Recipe { days: day, max_cells: Recipe::MOST_CELLS, ..self.scene.recipe.clone() };
+        let max_cells = self.max_cells;
+        let recipe = Recipe { days: day, max_cells, ..self.scene.recipe.clone() };
         let scene = Scene { individual, recipe: recipe.clone(), ..self.scene.clone() };
+        let refuse = |why: String| format!("{}, individual {individual}: {why}", self.label);
         let sown = scene.sow(self.mesh.clone());
-        let (mut growth, noise) = sown.expect("the recipes of figures are sound");
-        while growth.step() != Progress::Done {}
+        let (mut growth, noise) = sown.map_err(|e| refuse(e.to_string()))?;
+        loop {
+            match growth.step() {
+                Progress::Done => break,
+                Progress::Full => {
+                    let full = growth.diary.days.len();
+                    return Err(refuse(format!(
+                        "on day {full} there are more than {max_cells} cells, its max_cells; \
+                         take an earlier --day or fewer cells"
+                    )));
+                }
+                Progress::Event | Progress::Day(_) => {}
+            }
+        }
         let expected = self.expected(&recipe, &growth.diary);
         let painted = noise.map(|noise| noise.paint(&self.mesh, &growth.diary, day as usize));
         let diary = painted.unwrap_or(growth.diary);
         let pattern = Pattern::of(&self.mesh, &mut Charts::new(&self.mesh), &diary, day as usize);
-        Row {
+        Ok(Row {
             item: 0,
             items: 0,
-            figure: self.figure.into(),
-            picture: self.label.into(),
+            figure: self.figure.clone(),
+            picture: self.label.clone(),
             individual,
             link: link::write(&Scene { individual, ..self.scene.clone() }),
             fingerprint: diary.fingerprint(day as usize),
@@ -121,7 +145,7 @@ impl Subject {
             patches: pattern.patches[0],
             mixed_edges: pattern.mixed_edges,
             expected: expected.map(|e| [e.mean, e.variance]),
-        }
+        })
     }
 
     /// What the model says of the first cells of an individual, each part at its own age.

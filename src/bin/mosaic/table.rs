@@ -4,11 +4,23 @@ use super::Refusal;
 use super::options::Format;
 use super::sweep::Row;
 use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
 use std::fmt::Write;
+
+/// What the lines of a table are.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// Pictures of the thesis.
+    Figures,
+    /// A plant with some of its numbers varied.
+    Sweep,
+}
 
 /// A whole table, as `--json` prints it.
 #[derive(Serialize)]
 pub struct Table {
+    #[serde(skip)]
+    kind: Kind,
     individuals: usize,
     pictures: Vec<Line>,
 }
@@ -16,8 +28,8 @@ pub struct Table {
 /// A picture. Numbers are means over its individuals.
 #[derive(Serialize)]
 struct Line {
-    figure: String,
-    picture: String,
+    #[serde(flatten)]
+    names: Names,
     cells: f64,
     /// What the model expects of these first cells, and the standard error of the mean of so many
     /// individuals; both from the model alone.
@@ -27,6 +39,37 @@ struct Line {
     area_shares: Shares,
     patches: f64,
     mixed_edges: f64,
+    /// What the playground shows its first individual by.
+    link: String,
+}
+
+/// What a line is about, in columns: figure and picture, or the plant and each number that varies.
+struct Names(Vec<(String, String)>);
+
+impl Names {
+    fn of(row: &Row, kind: Kind) -> Names {
+        let name = |heading: &str, value: &str| (heading.to_string(), value.to_string());
+        if kind == Kind::Figures {
+            return Names(vec![name("figure", &row.figure), name("picture", &row.picture)]);
+        }
+        let numbers = row.picture.split_whitespace().filter_map(|word| word.split_once('='));
+        let numbers = numbers.map(|(key, value)| name(key, value));
+        Names([name("plant", &row.figure)].into_iter().chain(numbers).collect())
+    }
+}
+
+impl Serialize for Names {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (heading, value) in &self.0 {
+            // A figure's number has the form of one, but 4.1 and 4.10 are two.
+            match value.parse::<f64>().ok().filter(|_| heading != "figure") {
+                Some(number) => map.serialize_entry(heading, &number)?,
+                None => map.serialize_entry(heading, value)?,
+            }
+        }
+        map.end()
+    }
 }
 
 /// Shares of the types, 0 to 1.
@@ -41,7 +84,7 @@ struct Shares {
 impl Table {
     /// The table of all rows of one sweep, in any order. Refuses rows that are missing, that come
     /// twice, or that are of different sweeps.
-    pub fn of(mut rows: Vec<Row>) -> Result<Table, Refusal> {
+    pub fn of(mut rows: Vec<Row>, kind: Kind) -> Result<Table, Refusal> {
         rows.sort_by_key(|row| row.item);
         let items = rows.first().map_or(0, |row| row.items);
         if rows.iter().any(|row| row.items != items) {
@@ -66,7 +109,8 @@ impl Table {
         if !rows.chunks(last.max(1)).all(is_whole) {
             return Err("the rows are of different sweeps".into());
         }
-        Ok(Table { individuals: last, pictures: rows.chunks(last).map(Line::of).collect() })
+        let pictures = rows.chunks(last).map(|rows| Line::of(rows, kind)).collect();
+        Ok(Table { kind, individuals: last, pictures })
     }
 
     pub fn print(&self, format: Format) -> String {
@@ -80,19 +124,30 @@ impl Table {
     }
 
     fn to_text(&self) -> String {
+        let names: Vec<&Names> = self.pictures.iter().map(|line| &line.names).collect();
+        let columns = names.first().map_or(&[][..], |names| &names.0);
+        let widths: Vec<usize> = (0..columns.len())
+            .map(|k| {
+                let value = |names: &&Names| names.0.get(k).map_or(0, |(_, v)| v.chars().count());
+                let widest = names.iter().map(value).max().unwrap_or(0);
+                widest.max(columns[k].0.len()) + 2
+            })
+            .collect();
+        let padded = |texts: &mut dyn Iterator<Item = &str>| -> String {
+            texts.zip(&widths).map(|(text, width)| format!("{text:width$}")).collect()
+        };
         let mut text = format!(
             "Means of {} individuals. Expected: what the model says of the first cells that were\n\
              drawn, and the standard error of such a mean. Shares in %.\n\n\
-             {:44}{:^18}{:^18}{:>10}{:>8}\n\
-             {:8}{:18}{:>9}{:>9}{:>6}{:>6}{:>6}{:>6}{:>6}{:>6}{:>6}{:>10}{:>8}\n",
+             {:width$}{:^18}{:^18}{:>10}{:>8}\n\
+             {}{:>9}{:>9}{:>6}{:>6}{:>6}{:>6}{:>6}{:>6}{:>6}{:>10}{:>8}\n",
             self.individuals,
             "",
             "by count",
             "by area",
             "patches",
             "mixed",
-            "figure",
-            "picture",
+            padded(&mut columns.iter().map(|(heading, _)| heading.as_str())),
             "cells",
             "expected",
             "+-",
@@ -103,14 +158,18 @@ impl Table {
             "B",
             "M",
             "of F",
-            "edges"
+            "edges",
+            width = widths.iter().sum::<usize>() + 24
         );
         for line in &self.pictures {
-            let Line { figure, picture, cells, count_shares, area_shares, .. } = line;
+            let Line { names, cells, count_shares, area_shares, .. } = line;
             let known = |x: Option<f64>| x.map_or("-".into(), |x| format!("{x:.0}"));
+            let link =
+                if self.kind == Kind::Sweep { format!("  {}", line.link) } else { String::new() };
             let _ = writeln!(
                 text,
-                "{figure:8}{picture:18}{cells:>9.0}{:>9}{:>6}{count_shares}{area_shares}{:>10.1}{:>8.1}",
+                "{}{cells:>9.0}{:>9}{:>6}{count_shares}{area_shares}{:>10.1}{:>8.1}{link}",
+                padded(&mut names.0.iter().map(|(_, value)| value.as_str())),
                 known(line.expected_cells),
                 known(line.standard_error),
                 line.patches,
@@ -121,18 +180,20 @@ impl Table {
     }
 
     fn to_csv(&self) -> String {
-        let mut text =
-            "figure,picture,individuals,cells,expected_cells,standard_error,F,B,M,area_F,\
-                        area_B,area_M,patches,mixed_edges\n"
-                .to_string();
+        let comma = |texts: &mut dyn Iterator<Item = &str>| texts.collect::<Vec<_>>().join(",");
+        let columns = self.pictures.first().map_or(&[][..], |line| &line.names.0);
+        let mut text = format!(
+            "{},individuals,cells,expected_cells,standard_error,F,B,M,area_F,area_B,area_M,\
+             patches,mixed_edges,link\n",
+            comma(&mut columns.iter().map(|(heading, _)| heading.as_str()))
+        );
         for line in &self.pictures {
             let known = |x: Option<f64>| x.map_or(String::new(), |x| x.to_string());
             let (count, area) = (&line.count_shares, &line.area_shares);
             let _ = writeln!(
                 text,
                 "{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
-                line.figure,
-                line.picture,
+                comma(&mut line.names.0.iter().map(|(_, value)| value.as_str())),
                 self.individuals,
                 line.cells,
                 known(line.expected_cells),
@@ -144,7 +205,8 @@ impl Table {
                 area.b,
                 area.m,
                 line.patches,
-                line.mixed_edges
+                line.mixed_edges,
+                line.link
             );
         }
         text
@@ -153,7 +215,7 @@ impl Table {
 
 impl Line {
     /// The means of all individuals of one picture.
-    fn of(rows: &[Row]) -> Line {
+    fn of(rows: &[Row], kind: Kind) -> Line {
         let n = rows.len() as f64;
         let mean = |value: &dyn Fn(&Row) -> f64| rows.iter().map(value).sum::<f64>() / n;
         let shares = |value: &dyn Fn(&Row, usize) -> f64| {
@@ -166,8 +228,7 @@ impl Line {
         };
         let share = |row: &Row, kind: usize| f64::from(row.by_type[kind]) / f64::from(row.cells());
         Line {
-            figure: rows[0].figure.clone(),
-            picture: rows[0].picture.clone(),
+            names: Names::of(&rows[0], kind),
             cells: mean(&|row| f64::from(row.cells())),
             expected_cells: expected(0),
             standard_error: expected(1).map(|variance| (variance / n).sqrt()),
@@ -175,6 +236,7 @@ impl Line {
             area_shares: shares(&|row, kind| row.area_shares[kind]),
             patches: mean(&|row| f64::from(row.patches)),
             mixed_edges: mean(&|row| row.mixed_edges),
+            link: rows[0].link.clone(),
         }
     }
 }
