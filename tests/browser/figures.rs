@@ -69,6 +69,9 @@ fn differences(page: &Page) -> Vec<Vec<f64>> {
     let script = format!(
         "const data = picture => {{
              const pen = new OffscreenCanvas(120, 120).getContext('2d');
+             // What nearly lets everything through has a colour by rounding only.
+             pen.fillStyle = '#f5f2ea';
+             pen.fillRect(0, 0, 120, 120);
              pen.drawImage(picture, 0, 0, 120, 120);
              return pen.getImageData(0, 0, 120, 120).data
          }};

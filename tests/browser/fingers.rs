@@ -36,9 +36,11 @@ fn swipe(page: &Page, from: [f64; 2], by: [f64; 2]) {
 fn tap(page: &Page, css: &str, right_px: f64, has_come: &str) {
     for _ in 0..5 {
         let [x, y] = middle(page, css);
-        let tap =
-            json!({ "x": x + right_px, "y": y, "duration": 30, "gestureSourceType": "touch" });
-        page.devtools("Input.synthesizeTapGesture", tap);
+        let finger = json!([{ "x": x + right_px, "y": y }]);
+        for (kind, points) in [("touchStart", finger), ("touchEnd", json!([]))] {
+            let touch = json!({ "type": kind, "touchPoints": points });
+            page.devtools("Input.dispatchTouchEvent", touch);
+        }
         for _ in 0..40 {
             if page.run(has_come) == true {
                 return;
