@@ -124,6 +124,9 @@ fn a_number_is_varied_and_each_line_can_be_grown_again() {
         file(&format!("vary-{}.csv", &shard[..1]), &rows)
     });
     assert_eq!(succeed(&["sweep", "--merge", &shards[0], &shards[1], "--csv"]), whole);
+    let output = mosaic(&["figures", "--merge", &shards[0], &shards[1]]);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(told.contains("not of mosaic figures: try mosaic sweep"), "{told}");
     let read = succeed(&["sweep", "--merge", &shards[0], &shards[1]]);
     assert!(read.lines().skip(5).all(|line| line.contains("  mushroom?v=1&s=1&d=6")), "{read}");
 

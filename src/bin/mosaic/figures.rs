@@ -1,16 +1,16 @@
 //! `mosaic figures`: the pictures of the thesis in numbers.
 
 use super::Refusal;
+use super::individuals;
 use super::many;
 use super::options::FigureOptions;
-use super::sweep;
 use super::table::Kind;
 use clonal_mosaic::play::figures::{FIGURES, Figure, find};
 use clonal_mosaic::surface::quoted;
 
 pub fn figures(options: &FigureOptions) -> Result<(), Refusal> {
     let figures = chosen(&options.figures)?;
-    many::print(Kind::Figures, &options.many, || Ok(sweep::subjects(&figures)))
+    many::print(Kind::Figures, &options.many, || Ok(individuals::subjects(&figures)))
 }
 
 /// The figures of these numbers; all when there is none.

@@ -3,6 +3,7 @@
 mod bench;
 mod figures;
 mod grow;
+mod individuals;
 mod many;
 mod memory;
 mod options;
@@ -13,7 +14,6 @@ mod states;
 mod subject;
 mod sweep;
 mod table;
-mod vary;
 
 use options::{Asked, Command};
 use output::{say, warn};
@@ -44,7 +44,7 @@ fn run() -> Result<(), Refusal> {
     match options::read()? {
         Asked::For(Command::Grow(options)) => grow::grow(&options),
         Asked::For(Command::Figures(options)) => figures::figures(&options),
-        Asked::For(Command::Sweep(options)) => vary::sweep(&options),
+        Asked::For(Command::Sweep(options)) => sweep::sweep(&options),
         Asked::For(Command::Bench(options)) => bench::bench(options.runs),
         Asked::Text(text) => say(&text),
     }

@@ -1,9 +1,9 @@
 //! Many individuals: grown at once or in parts, and the table of all of them.
 
+use super::individuals::{self, HEADING, Row, Subject};
 use super::options::ManyOptions;
 use super::output::{cannot, say};
 use super::progress::Progress;
-use super::sweep::{self, HEADING, Row, Subject};
 use super::table::{Kind, Table};
 use super::{Refusal, cores};
 use std::fs;
@@ -53,7 +53,7 @@ fn grow(
             row.cells()
         ));
     };
-    sweep::grow(subjects, options.individuals, shard, threads, tell)
+    individuals::grow(subjects, options.individuals, shard, threads, tell)
 }
 
 /// The rows of a file, which may be several shards on end.

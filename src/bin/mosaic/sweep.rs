@@ -1,221 +1,136 @@
-//! A sweep: many individuals of many pictures, grown on several threads or in several processes.
+//! `mosaic sweep`: a plant with some of its numbers varied.
 
-use super::Refusal;
-use clonal_mosaic::mosaic::Pattern;
-use clonal_mosaic::plants;
-use clonal_mosaic::play::figures::Figure;
-use clonal_mosaic::play::{Scene, link};
-use clonal_mosaic::surface::{Charts, Mesh, quoted};
-use clonal_mosaic::tissue::{Diary, Expected, Progress, Recipe, expected_cells};
-use std::collections::BTreeMap;
+use super::individuals::Subject;
+use super::many;
+use super::options::SweepOptions;
+use super::subject;
+use super::table::Kind;
+use super::{Refusal, memory};
+use clonal_mosaic::play::Scene;
+use clonal_mosaic::play::parameters::{PARAMETERS, Parameter};
+use clonal_mosaic::surface::quoted;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
-/// A picture whose individuals are grown.
-pub struct Subject {
-    pub figure: String,
-    pub label: String,
-    pub scene: Scene,
-    pub mesh: Arc<Mesh>,
-    /// An individual with more cells is refused.
-    pub max_cells: u32,
+/// Values of a number when it is not said how many.
+const VALUES: usize = 5;
+
+/// Combinations at most: more is a typing error.
+const MOST_COMBINATIONS: usize = 100_000;
+
+/// A number of a plant and the values that it takes.
+struct Varied {
+    parameter: &'static Parameter,
+    values: Vec<f64>,
 }
 
-/// One individual of a picture: a row of what a shard prints.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// Its number in the sweep, from 0, and how many there are.
-    pub item: usize,
-    pub items: usize,
-    /// Of a plant whose numbers vary: its key, and `df=4 pf=0.2`.
-    pub figure: String,
-    pub picture: String,
-    pub individual: u32,
-    /// What the playground shows it by.
-    pub link: String,
-    pub fingerprint: String,
-    pub by_type: [u32; 3],
-    pub area_shares: [f64; 3],
-    /// Of F cells.
-    pub patches: u32,
-    pub mixed_edges: f64,
-    /// Mean and variance of the number of cells over all individuals that begin with as many first
-    /// cells of each type as this one.
-    pub expected: Option<[f64; 2]>,
+pub fn sweep(options: &SweepOptions) -> Result<(), Refusal> {
+    many::print(Kind::Sweep, &options.many, || subjects(options))
 }
 
-/// The pictures of some figures. Those of a figure that differ in the individual alone are one.
-pub fn subjects(figures: &[&'static Figure]) -> Vec<Subject> {
-    let mut meshes: BTreeMap<&str, Arc<Mesh>> = BTreeMap::new();
-    let mut subjects: Vec<Subject> = Vec::new();
-    for figure in figures {
-        let first = subjects.len();
-        for picture in figure.pictures {
-            let scene = Scene { individual: 1, ..link::read(picture.link, plants::all()).scene };
-            if let Some(same) = subjects[first..].iter_mut().find(|other| other.scene == scene) {
-                same.label = "individuals".into();
-                continue;
+/// A subject for each combination, the last number varying first.
+fn subjects(options: &SweepOptions) -> Result<Vec<Subject>, Refusal> {
+    let scene = subject::scene(options.source(), options.day)?;
+    let all = varied(&options.vary)?;
+    let combinations = all
+        .iter()
+        .map(|varied| varied.values.len())
+        .try_fold(1usize, |n, more| n.checked_mul(more).filter(|&n| n <= MOST_COMBINATIONS));
+    let combinations = combinations
+        .ok_or_else(|| format!("these are more than {MOST_COMBINATIONS} combinations of values"))?;
+    let mesh = Arc::new(scene.plant.embedded_body().surface);
+    (0..combinations)
+        .map(|number| {
+            let mut rest = number;
+            let mut chosen: Vec<(&Parameter, f64)> = Vec::new();
+            for Varied { parameter, values } in all.iter().rev() {
+                chosen.push((parameter, values[rest % values.len()]));
+                rest /= values.len();
             }
-            let surface = || Arc::new(scene.plant.embedded_body().surface);
-            let mesh = meshes.entry(scene.plant.key).or_insert_with(surface).clone();
-            // The cap guards a visitor's memory; here it would cut off the largest individuals.
-            let max_cells = Recipe::MOST_CELLS;
-            let (figure, label) = (figure.number.into(), picture.label.into());
-            subjects.push(Subject { figure, label, scene, mesh, max_cells });
+            chosen.reverse();
+            let scene = with(&scene, &chosen)?;
+            memory::check(&scene.recipe)?;
+            let max_cells = scene.recipe.max_cells;
+            let (figure, label) = (scene.plant.key.to_string(), label(&chosen));
+            Ok(Subject { figure, label, scene, mesh: mesh.clone(), max_cells })
+        })
+        .collect()
+}
+
+/// What varies and how, `df=4 pf=0.2`.
+fn label(chosen: &[(&Parameter, f64)]) -> String {
+    let words = chosen.iter().map(|(parameter, value)| format!("{}={value}", parameter.key));
+    words.collect::<Vec<_>>().join(" ")
+}
+
+/// The scene with these numbers. Shares make room for each other: that would not be what was asked for.
+fn with(scene: &Scene, chosen: &[(&Parameter, f64)]) -> Result<Scene, Refusal> {
+    let day = scene.day;
+    let mut scene = scene.clone();
+    for (parameter, value) in chosen {
+        let refuse = |why| format!("{}={value}: {why}", parameter.key);
+        parameter.set(&mut scene, *value).map_err(refuse)?;
+    }
+    for (parameter, value) in chosen {
+        let now = parameter.get(&scene);
+        if (now - value).abs() > 1e-6 * value.abs().max(1.0) {
+            return Err(format!("{}: {} would be {now}", label(chosen), parameter.key));
         }
     }
-    subjects
+    if scene.day < day {
+        return Err(format!("{}: growth ends at day {}", label(chosen), scene.recipe.days));
+    }
+    Ok(scene)
 }
 
-/// Grows one of so many shards, counted from 1, of the individuals `1..=individuals` of all subjects,
-/// on some threads. `tell` hears of each that is done; the rows come in the order of their numbers. The
-/// first that cannot be grown ends all.
-pub fn grow(
-    subjects: &[Subject],
-    individuals: u32,
-    (shard, shards): (u32, u32),
-    threads: usize,
-    tell: impl Fn(&Row) + Sync,
-) -> Result<Vec<Row>, Refusal> {
-    let items = subjects.len() * individuals as usize;
-    let work: Vec<usize> = (shard as usize - 1..items).step_by(shards as usize).collect();
-    let next = AtomicUsize::new(0);
-    let work_off = || {
-        let mut rows = Vec::new();
-        while let Some(&item) = work.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let subject = &subjects[item / individuals as usize];
-            let individual = (item % individuals as usize) as u32 + 1;
-            let grown = subject.grow(individual).inspect_err(|_| {
-                // Nobody begins another one.
-                next.store(work.len(), Ordering::Relaxed);
-            })?;
-            let row = Row { item, items, ..grown };
-            tell(&row);
-            rows.push(row);
+fn varied(options: &[String]) -> Result<Vec<Varied>, Refusal> {
+    let mut all: Vec<Varied> = Vec::new();
+    for text in options {
+        let varied = Varied::read(text).map_err(|why| format!("--vary {}: {why}", quoted(text)))?;
+        if all.iter().any(|other| other.parameter.key == varied.parameter.key) {
+            return Err(format!("--vary {} comes twice", varied.parameter.key));
         }
-        Ok(rows)
-    };
-    let rows: Result<Vec<Vec<Row>>, Refusal> = thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads.min(work.len())).map(|_| scope.spawn(work_off)).collect();
-        workers.into_iter().map(|worker| worker.join().expect("a worker grows")).collect()
-    });
-    let mut rows = rows?.concat();
-    rows.sort_by_key(|row| row.item);
-    Ok(rows)
+        all.push(varied);
+    }
+    Ok(all)
 }
 
-impl Subject {
-    /// Grows an individual up to the picture's day.
-    fn grow(&self, individual: u32) -> Result<Row, Refusal> {
-        let day = self.scene.day;
-        let max_cells = self.max_cells;
-        let recipe = Recipe { days: day, max_cells, ..self.scene.recipe.clone() };
-        let scene = Scene { individual, recipe: recipe.clone(), ..self.scene.clone() };
-        let refuse = |why: String| format!("{}, individual {individual}: {why}", self.label);
-        let sown = scene.sow(self.mesh.clone());
-        let (mut growth, noise) = sown.map_err(|e| refuse(e.to_string()))?;
-        loop {
-            match growth.step() {
-                Progress::Done => break,
-                Progress::Full => {
-                    let full = growth.diary.days.len();
-                    return Err(refuse(format!(
-                        "on day {full} there are more than {max_cells} cells, its max_cells; \
-                         take an earlier --day or fewer cells"
-                    )));
+impl Varied {
+    /// Reads `df=4..12:5` or `df=4,6,12`.
+    fn read(text: &str) -> Result<Varied, Refusal> {
+        let (key, values) = text.split_once('=').ok_or("it says no values, as df=4..12:5 does")?;
+        let parameter = Parameter::of_key(key).ok_or_else(|| {
+            let known: Vec<&str> = PARAMETERS.iter().map(|p| p.key).collect();
+            format!("there is no number {}: there are {}", quoted(key), known.join(", "))
+        })?;
+        let values = match values.split_once("..") {
+            Some((from, rest)) => {
+                let (to, count) = match rest.split_once(':') {
+                    Some((to, count)) => (to, count.parse().unwrap_or(0)),
+                    None => (rest, VALUES),
+                };
+                if !(2..=MOST_COMBINATIONS).contains(&count) {
+                    return Err(format!("it takes from 2 to {MOST_COMBINATIONS} values"));
                 }
-                Progress::Event | Progress::Day(_) => {}
+                even_steps(number(from)?, number(to)?, count, parameter.is_whole())
             }
+            None => values.split(',').map(number).collect::<Result<_, _>>()?,
+        };
+        if let Some(k) = (1..values.len()).find(|&k| values[..k].contains(&values[k])) {
+            return Err(format!("the value {} comes twice", values[k]));
         }
-        let expected = self.expected(&recipe, &growth.diary);
-        let painted = noise.map(|noise| noise.paint(&self.mesh, &growth.diary, day as usize));
-        let diary = painted.unwrap_or(growth.diary);
-        let pattern = Pattern::of(&self.mesh, &mut Charts::new(&self.mesh), &diary, day as usize);
-        Ok(Row {
-            item: 0,
-            items: 0,
-            figure: self.figure.clone(),
-            picture: self.label.clone(),
-            individual,
-            link: link::write(&Scene { individual, ..self.scene.clone() }),
-            fingerprint: diary.fingerprint(day as usize),
-            by_type: pattern.count.by_type,
-            area_shares: pattern.area_shares,
-            patches: pattern.patches[0],
-            mixed_edges: pattern.mixed_edges,
-            expected: expected.map(|e| [e.mean, e.variance]),
-        })
-    }
-
-    /// What the model says of the first cells of an individual, each part at its own age.
-    fn expected(&self, recipe: &Recipe, diary: &Diary) -> Option<Expected> {
-        let plant = self.scene.plant;
-        let mut by_age = BTreeMap::<u32, [u32; 3]>::new();
-        for (place, cell) in diary.days[0].places.iter().zip(&diary.lineage) {
-            let part = self.mesh.parts[place.triangle as usize] as usize;
-            let unfolded = plant.unfolding_days.get(part).copied().unwrap_or(0);
-            let age = self.scene.day.saturating_sub(unfolded);
-            by_age.entry(age).or_default()[cell.kind as usize] += 1;
-        }
-        let mut all = Expected::default();
-        for (age, first_cells) in by_age {
-            let of_age = expected_cells(recipe, &plant.controls(), first_cells, age as usize)?;
-            all.mean += of_age.mean;
-            all.variance += of_age.variance;
-        }
-        Some(all)
+        Ok(Varied { parameter, values })
     }
 }
 
-/// The columns of a row as a shard prints it. Numbers have as many digits as it takes to read the
-/// same bits back.
-pub const HEADING: &str = "item,items,figure,picture,individual,link,fingerprint,F,B,M,area_F,\
-                           area_B,area_M,patches,mixed_edges,expected_cells,expected_variance";
+/// Values from one to the other, without the dust that sums leave behind their last digit.
+fn even_steps(from: f64, to: f64, count: usize, is_whole: bool) -> Vec<f64> {
+    let step = (to - from) / (count - 1) as f64;
+    let value = |k: usize| if k == count - 1 { to } else { from + step * k as f64 };
+    let tidy = |x: f64| if is_whole { x.round() } else { (x * 1e6).round() / 1e6 };
+    (0..count).map(|k| tidy(value(k))).collect()
+}
 
-impl Row {
-    pub fn cells(&self) -> u32 {
-        self.by_type.iter().sum()
-    }
-
-    pub fn to_csv(&self) -> String {
-        let Row { item, items, figure, picture, individual, link, fingerprint, .. } = self;
-        let ([f, b, m], [area_f, area_b, area_m]) = (self.by_type, self.area_shares);
-        let expected =
-            self.expected.map_or(",".into(), |[mean, variance]| format!("{mean},{variance}"));
-        format!(
-            "{item},{items},{figure},{picture},{individual},{link},{fingerprint},{f},{b},{m},\
-             {area_f},{area_b},{area_m},{},{},{expected}",
-            self.patches, self.mixed_edges
-        )
-    }
-
-    /// Reads what `to_csv` has written; says what is wrong with anything else.
-    pub fn from_csv(line: &str) -> Result<Row, Refusal> {
-        let words: Vec<&str> = line.split(',').collect();
-        let names: Vec<&str> = HEADING.split(',').collect();
-        if words.len() != names.len() {
-            return Err(format!("{} columns, but a shard has {}", words.len(), names.len()));
-        }
-        fn number<T: std::str::FromStr>(name: &str, word: &str) -> Result<T, Refusal> {
-            let refuse = |_| format!("{name} is {}, which is no number of its kind", quoted(word));
-            word.parse().map_err(refuse)
-        }
-        let whole = |k: usize| number::<u32>(names[k], words[k]);
-        let real = |k: usize| number::<f64>(names[k], words[k]);
-        Ok(Row {
-            item: number(names[0], words[0])?,
-            items: number(names[1], words[1])?,
-            figure: words[2].into(),
-            picture: words[3].into(),
-            individual: whole(4)?,
-            link: words[5].into(),
-            fingerprint: words[6].into(),
-            by_type: [whole(7)?, whole(8)?, whole(9)?],
-            area_shares: [real(10)?, real(11)?, real(12)?],
-            patches: whole(13)?,
-            mixed_edges: real(14)?,
-            expected: if words[15].is_empty() { None } else { Some([real(15)?, real(16)?]) },
-        })
-    }
+fn number(text: &str) -> Result<f64, Refusal> {
+    let number = text.parse().ok().filter(|x: &f64| x.is_finite());
+    number.ok_or_else(|| format!("{} is no number", quoted(text)))
 }

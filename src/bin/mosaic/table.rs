@@ -1,8 +1,8 @@
 //! The table of a sweep: a line for each picture, with the means of its individuals.
 
 use super::Refusal;
+use super::individuals::Row;
 use super::options::Format;
-use super::sweep::Row;
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 use std::fmt::Write;
@@ -108,6 +108,17 @@ impl Table {
         };
         if !rows.chunks(last.max(1)).all(is_whole) {
             return Err("the rows are of different sweeps".into());
+        }
+        // A sweep says what varies, and a figure has a number.
+        let is_of_kind = |row: &Row| {
+            (kind == Kind::Figures) == row.figure.starts_with(|c: char| c.is_ascii_digit())
+        };
+        if !rows.iter().all(is_of_kind) {
+            let [this, other] = match kind {
+                Kind::Figures => ["figures", "sweep"],
+                Kind::Sweep => ["sweep", "figures"],
+            };
+            return Err(format!("these rows are not of mosaic {this}: try mosaic {other} --merge"));
         }
         let pictures = rows.chunks(last).map(|rows| Line::of(rows, kind)).collect();
         Ok(Table { kind, individuals: last, pictures })
