@@ -192,7 +192,7 @@ impl Gallery {
                 self.state = State::Growing;
                 return Ok(true);
             }
-            let mesh = self.brain.mesh(shown.scene.plant.mesh.name);
+            let mesh = self.brain.mesh(shown.scene.plant.body.mesh.name);
             // What is too large is not drawn: the still stands in for it.
             let (done, too_large) = match stage.copy(&shown, mesh, dark, &picture.pen) {
                 Err(DrawError::TooLarge { .. }) => (true, true),

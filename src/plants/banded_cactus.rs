@@ -1,8 +1,9 @@
 //! Banded cactus: yellow belts round green columns (Thesis, Fig. 4.13).
 
-use super::{Plant, cactus, rough};
-use crate::surface::{ControlImage, Cylinder, Wrap};
-use crate::tissue::{Control, Recipe};
+use super::paint::{Belts, Image, ImageRule, Paint};
+use super::{Plant, cactus};
+use crate::surface::{Cylinder, Wrap};
+use crate::tissue::{Recipe, Use};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -22,7 +23,7 @@ pub const PLANT: Plant = Plant {
         // Individuals have from 7,800 to 8,100 cells.
         ..cactus::PLANT.recipe
     },
-    controls: Some(belts),
+    paint: &[BELTS],
     ..cactus::PLANT
 };
 
@@ -32,25 +33,23 @@ const HEIGHT_CM: f32 = 40.0;
 
 /// Belts round each column. The axis of the cylinder stands between the two, so that each has half
 /// of the image to itself.
-fn belts() -> Vec<Control> {
-    let base = ACROSS * 6.5;
-    let cylinder = Cylinder { base, axis: Vec3::Y, zero: ACROSS, height: HEIGHT_CM };
-    let image = ControlImage::paint(256, 256, is_belt);
-    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
-}
-
-/// Whether a first cell at this angle, in turns, and height may be yellow.
-fn is_belt(turns: f32, height: f32) -> bool {
-    // From the lower to the upper border, in centimetres.
-    let belts: &[[f32; 2]] = match (0.25..0.75).contains(&turns) {
-        true => &[[3.5, 8.0], [14.5, 24.0], [31.5, 36.0]],
-        false => &[[9.0, 15.5]],
-    };
-    // Borders are lobed: straight ones look painted on, with twice as much belts break.
-    let lobes =
-        |border| 1.5 * rough(turns * 17.0, border, 11) + 0.9 * rough(turns * 41.0, border, 12);
-    let height_cm = height * HEIGHT_CM;
-    (0..).zip(belts).any(|(k, [lower, upper])| {
-        (lower + lobes(2 * k)..upper + lobes(2 * k + 1)).contains(&height_cm)
-    })
-}
+const BELTS: Paint = Paint {
+    wrap: Wrap::Cylinder(Cylinder {
+        base: Vec3::new(ACROSS.x * 6.5, 0.0, ACROSS.z * 6.5),
+        axis: Vec3::Y,
+        zero: ACROSS,
+        height: HEIGHT_CM,
+    }),
+    image: Image {
+        width: 256,
+        height: 256,
+        rule: ImageRule::Belts(Belts {
+            height_cm: HEIGHT_CM,
+            near_cm: &[[9.0, 15.5]],
+            far_cm: &[[3.5, 8.0], [14.5, 24.0], [31.5, 36.0]],
+            // Straight borders look painted on, with twice as much belts break.
+            lobes_cm: [1.5, 0.9],
+        }),
+    },
+    use_as: Use::FOREGROUND,
+};

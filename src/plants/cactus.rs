@@ -1,7 +1,6 @@
 //! Cactus: yellow blotches on blue-green columns (Thesis, Fig. 4.8).
 
-use super::{BodyError, Look, Plant, Skin, View, scatter, spikes};
-use crate::surface::{Body, PolygonMesh};
+use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
 use crate::tissue::Recipe;
 
 pub const PLANT: Plant = Plant {
@@ -49,50 +48,18 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 14.0, zoom: 1.05 },
-    mesh: mesh_file!("cactus.obj"),
-    body: grow_body,
-    controls: None,
-    field: None,
-    unfolding_days: &[],
-};
-
-fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    let mut mesh = super::smooth(obj, &|group| {
-        match group.material.as_str() {
-            "bare:areole" => 0,
+    body: Shape {
+        mesh: mesh_file!("cactus.obj"),
+        levels: 2,
+        but: &[
+            Levels { group: "bare:areole", levels: 0 },
             // About as many triangles as cells: the repulsive radius is four times the spacing, and
             // a mesh four times as fine has 16 times as much to unfold around each cell.
-            "skin" => 1,
-            _ => 2,
-        }
-    })?;
-    raise_spines(&mut mesh);
-    Ok(Body::new(&mesh)?)
-}
-
-/// Spines of an areole: the last one stands out, the others spread around it.
-const SPINES: u32 = 6;
-
-/// Raises a cushion with spines on each diamond of the areoles.
-fn raise_spines(mesh: &mut PolygonMesh) {
-    let spines = spikes::new_group(mesh, "spines", "bare:spine");
-    let diamonds = spikes::take_faces(mesh, "bare:areole");
-    for (number, diamond) in diamonds.iter().enumerate() {
-        let [right, top, left, bottom] =
-            [0, 1, 2, 3].map(|k| mesh.positions[diamond.vertices[k] as usize]);
-        let (side, along) = ((right - left).normalize(), (top - bottom).normalize());
-        let outward = side.cross(along);
-        let centre = (right + left) * 0.5;
-        spikes::pyramid(mesh, &diamond.vertices, centre + outward * 0.28, diamond.group);
-        for k in 0..SPINES {
-            let item = number as u32 * SPINES + k;
-            let spread = if k + 1 == SPINES { 0.2 } else { 0.8 + 0.4 * scatter(item, 1) };
-            let turns = (k as f32 + 0.4 * scatter(item, 2)) / (SPINES - 1) as f32;
-            let angle_rad = turns * std::f32::consts::TAU;
-            let across = side * libm::cosf(angle_rad) + along * libm::sinf(angle_rad);
-            let direction = (outward + across * spread).normalize();
-            let length_cm = 0.9 + 0.7 * scatter(item, 3);
-            spikes::spike(mesh, centre, direction * length_cm, 0.07, spines);
-        }
-    }
-}
+            Levels { group: "skin", levels: 1 },
+        ],
+        growths: Growths::Spines,
+    },
+    paint: &[],
+    guides: None,
+    motion: Motion::STILL,
+};

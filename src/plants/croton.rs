@@ -1,8 +1,9 @@
 //! Croton: a shrub whose leaves turn from green to yellow in one run (Thesis, Fig. 4.3).
 
-use super::{BodyError, Look, Plant, Skin, View, scatter};
-use crate::surface::{Body, ControlImage, Cylinder, Wrap};
-use crate::tissue::{Control, Recipe};
+use super::paint::{Grain, Image, ImageRule, Paint};
+use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use crate::surface::{Cylinder, Wrap};
+use crate::tissue::{Recipe, Use};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -13,7 +14,7 @@ pub const PLANT: Plant = Plant {
     colour_names: ["yellow", "green", ""],
     recipe: Recipe {
         initial_cells: 10_000,
-        // Open in the thesis. A share of about 0.13 is left by `young_leaves`: under 0.1 yellow has
+        // Open in the thesis. A share of about 0.13 is left by `YOUNG_LEAVES`: under 0.1 yellow has
         // a third of day 30, over 0.2 day 5 is no green plant and day 30 has 180,000 cells.
         initial_probability: [0.19, 0.81, 0.0],
         division_days: [5.0, 10.0, 10.0],
@@ -49,29 +50,33 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 24.0, zoom: 0.95 },
-    mesh: mesh_file!("croton.obj"),
-    body: grow_body,
-    controls: Some(young_leaves),
-    field: None,
-    unfolding_days: &[],
+    body: Shape {
+        mesh: mesh_file!("croton.obj"),
+        levels: 2,
+        but: &[
+            Levels { group: "bare:petiole", levels: 1 },
+            Levels { group: "bare:soil", levels: 1 },
+        ],
+        growths: Growths::Nothing,
+    },
+    paint: &[YOUNG_LEAVES],
+    guides: None,
+    motion: Motion::STILL,
 };
-
-fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    let mesh = super::smooth(obj, &|group| match group.material.as_str() {
-        "bare:petiole" | "bare:soil" => 1,
-        _ => 2,
-    })?;
-    Ok(Body::new(&mesh)?)
-}
 
 /// Young leaves are greener than old ones: the higher in the shrub, the fewer first cells are left
 /// yellow, in a fine random grain.
-fn young_leaves() -> Vec<Control> {
-    const GREENEST_SHARE: f32 = 0.65;
-    let cylinder = Cylinder { base: Vec3::Y * 10.0, axis: Vec3::Y, zero: Vec3::X, height: 28.0 };
-    let image = ControlImage::paint(256, 128, |turns, height| {
-        let grain = scatter((turns * 256.0) as u32 + 256 * (height * 128.0) as u32, 0);
-        grain > GREENEST_SHARE * height
-    });
-    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
-}
+const YOUNG_LEAVES: Paint = Paint {
+    wrap: Wrap::Cylinder(Cylinder {
+        base: Vec3::new(0.0, 10.0, 0.0),
+        axis: Vec3::Y,
+        zero: Vec3::X,
+        height: 28.0,
+    }),
+    image: Image {
+        width: 256,
+        height: 128,
+        rule: ImageRule::Grain(Grain { black_at_the_top: 0.65 }),
+    },
+    use_as: Use::FOREGROUND,
+};

@@ -20,6 +20,6 @@ pub const PLANT: Plant = Plant {
         ..croton::PLANT.recipe
     },
     first_day: 35,
-    controls: None,
+    paint: &[],
     ..croton::PLANT
 };

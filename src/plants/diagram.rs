@@ -43,11 +43,13 @@ impl Show {
     /// plant's surface. Takes as long as a direction field or control images take to make: a few
     /// milliseconds.
     pub fn diagram(self, plant: &Plant, mesh: &Mesh) -> Diagram {
-        match (self, plant.field) {
-            (Show::Cells, _) => Diagram::default(),
-            (Show::ControlImages, _) => images(mesh, plant.controls()),
-            (_, Some(lead)) => directions(self, mesh, &lead(mesh)),
-            (_, None) => Diagram::default(),
+        match self {
+            Show::Cells => Diagram::default(),
+            Show::ControlImages => images(mesh, plant.controls()),
+            _ => match plant.field(mesh) {
+                Ok(Some(field)) => directions(self, mesh, &field),
+                _ => Diagram::default(),
+            },
         }
     }
 }
@@ -164,7 +166,7 @@ mod tests {
     fn arrows_lie_on_their_triangles_along_the_field() {
         let plant = find("philodendron").unwrap();
         let mesh = plant.embedded_body().surface;
-        let field = (plant.field.unwrap())(&mesh);
+        let field = plant.field(&mesh).unwrap().unwrap();
         let diagram = Show::FieldArrows.diagram(plant, &mesh);
         assert_eq!(diagram.lines.len(), mesh.triangles.len());
         for (triangle, &[from, to]) in (0..).zip(&diagram.lines) {

@@ -1,7 +1,9 @@
 //! Long watermelon: stripes that widen with the reach of the push (Thesis, Fig. 4.16).
 
+use super::paint::{Image, ImageRule, Paint};
 use super::{Plant, View, watermelon};
-use crate::tissue::{Control, Recipe};
+use crate::surface::Wrap;
+use crate::tissue::{Recipe, Use};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -18,8 +20,8 @@ pub const PLANT: Plant = Plant {
         ..watermelon::PLANT.recipe
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 16.0, zoom: 1.08 },
-    mesh: mesh_file!("long_watermelon.obj"),
-    controls: Some(stripes),
+    body: watermelon::shape(mesh_file!("long_watermelon.obj")),
+    paint: &[STRIPES],
     ..watermelon::PLANT
 };
 
@@ -29,6 +31,11 @@ pub(super) const HALF_LENGTH_CM: f32 = 18.0;
 /// So that the fruit lies on the ground.
 pub(super) const CENTRE: Vec3 = Vec3::new(0.0, 10.4, 0.0);
 
-fn stripes() -> Vec<Control> {
-    watermelon::stripes_along(AXIS, CENTRE, HALF_LENGTH_CM)
-}
+const STRIPES: Paint = Paint {
+    wrap: Wrap::Cylinder(watermelon::along(CENTRE, AXIS, HALF_LENGTH_CM, ZERO)),
+    image: Image { width: 512, height: 256, rule: ImageRule::Stripes(watermelon::JAGGED) },
+    use_as: Use::FOREGROUND,
+};
+
+/// Across the axis, and level.
+const ZERO: Vec3 = Vec3::new(-0.6, 0.0, 0.8);

@@ -1,14 +1,20 @@
 //! How a plant looks: its colours, and what its surfaces are made of.
 
+use super::document::{Bare, Listed, Tint, by_type};
+use super::{List, Text};
 use crate::tissue::CellType;
+use serde::{Deserialize, Serialize};
 
 /// Colours and materials; sRGB, 0 to 1.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Look {
     /// Colours of F, B and M cells.
+    #[serde(with = "by_type")]
     pub cells: [[f32; 3]; 3],
     /// The colours of those types that a control image tints, where it is white.
-    pub tinted: &'static [(CellType, [f32; 3])],
+    #[serde(with = "Listed::<Tint>")]
+    pub tinted: List<(CellType, [f32; 3])>,
     /// How much the lightness of cells of one type varies, 0 to 1.
     pub variation: f32,
     /// How much darker the cell borders are than the cells, 0 to 1.
@@ -19,15 +25,19 @@ pub struct Look {
     /// Whether the midrib and side veins of the leaf coordinates (`uvs`) are drawn.
     pub veins: bool,
     /// Colour and gloss of each bare material.
-    pub bare: &'static [(&'static str, [f32; 3], f32)],
+    #[serde(with = "Listed::<Bare>")]
+    pub bare: List<(Text, [f32; 3], f32)>,
 }
 
 /// How the patterned surface takes light, beside its colours and gloss.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Skin {
     /// The gloss of F, B and M cells, as shares of the look's.
+    #[serde(with = "by_type")]
     pub gloss: [f32; 3],
     /// How high cells of these types stand above others: the slope at their common border.
+    #[serde(with = "by_type")]
     pub raised: [f32; 3],
     /// Share of the light that comes through from the other side, as in thin leaves: 1.
     pub through: f32,

@@ -19,53 +19,74 @@ mod cactus;
 mod croton;
 mod croton_shrub;
 mod diagram;
+mod document;
+mod guides;
 mod long_watermelon;
 mod look;
 mod mushroom;
 pub mod original;
+pub mod paint;
 mod philodendron;
 mod philodendron_shoot;
 mod red_croton;
 mod sansevieria;
+mod shape;
 mod show;
 mod spikes;
 mod square_watermelon;
 mod watermelon;
 
-use crate::surface::{Body, DirectionField, Group, Mesh, ObjError, PolygonMesh, SurfaceError};
+use crate::surface::{Body, DirectionField, Mesh, ObjError, SurfaceError};
 use crate::tissue::{Control, Growth, Recipe, RecipeError};
 pub use diagram::{Diagram, Layer};
+pub use document::PlantError;
+use document::{List, Text, kept, kept_list, kept_text, kept_texts};
+pub use guides::{GuideVector, Guides};
 pub use look::{Look, Skin};
+use paint::Paint;
+use serde::{Deserialize, Serialize};
+pub use shape::{Growths, Levels, Shape};
 pub use show::Show;
 use std::sync::Arc;
 
-/// A plant of the playground.
-#[derive(Clone, Debug)]
+/// A plant of the playground: nothing but data, which `document` writes and reads as JSON.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Plant {
     /// Its word in links: `croton`.
-    pub key: &'static str,
+    pub key: Text,
     /// English name: `Croton`.
-    pub name: &'static str,
-    pub latin: &'static str,
+    pub name: Text,
+    pub latin: Text,
     /// The picture, or else the rule, of the thesis that it follows: `Thesis, Fig. 4.3`.
-    pub source: &'static str,
+    pub source: Text,
     /// What the colours of F, B and M are called: `["yellow", "green", ""]`.
-    pub colour_names: [&'static str; 3],
+    pub colour_names: [Text; 3],
+    pub body: Shape,
+    /// Its control images, in the order in which they are asked.
+    pub paint: List<Paint>,
+    /// What leads its direction field, if it has one.
+    pub guides: Option<Guides>,
     pub recipe: Recipe,
-    /// The day that a visitor sees first.
-    pub first_day: u32,
+    pub motion: Motion,
     pub look: Look,
     pub view: View,
-    pub mesh: MeshFile,
-    /// Grows the body from the text of its mesh file.
-    pub body: fn(obj: &str) -> Result<Body, BodyError>,
-    /// Paints its control images, if it has some.
-    pub controls: Option<fn() -> Vec<Control>>,
-    /// Leads the direction field over its surface, if it has one.
-    pub field: Option<fn(&Mesh) -> DirectionField>,
+    /// The day that a visitor sees first.
+    pub first_day: u32,
+}
+
+/// What moves while cells grow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Motion {
     /// The day on which each part of the body unfolds, in their order; those that are not named are
     /// there from day 0.
-    pub unfolding_days: &'static [u32],
+    #[serde(deserialize_with = "kept_list")]
+    pub unfolding_days: List<u32>,
+}
+
+impl Motion {
+    /// All is there from day 0.
+    pub const STILL: Motion = Motion { unfolding_days: &[] };
 }
 
 impl Plant {
@@ -77,9 +98,9 @@ impl Plant {
         recipe: Recipe,
         individual: u32,
     ) -> Result<Growth, RecipeError> {
-        let field = self.field.map(|lead| lead(&surface));
+        let field = self.field(&surface).map_err(RecipeError)?;
         let growth = Growth::new(surface, recipe, &self.controls(), individual)?
-            .unfolding(self.unfolding_days);
+            .unfolding(self.motion.unfolding_days);
         Ok(match field {
             Some(field) => growth.along(field),
             None => growth,
@@ -93,12 +114,17 @@ impl Plant {
 
     /// Its control images, painted anew, in the order in which they are asked.
     pub fn controls(&self) -> Vec<Control> {
-        self.controls.map(|paint| paint()).unwrap_or_default()
+        self.paint.iter().map(Paint::control).collect()
+    }
+
+    /// Its direction field on a surface, if it has one, or in words why its guides lead none there.
+    pub fn field(&self, surface: &Mesh) -> Result<Option<DirectionField>, String> {
+        self.guides.map(|guides| guides.lead(surface)).transpose()
     }
 }
 
 /// One of the files under `meshes/`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MeshFile {
     /// `croton.obj`
     pub name: &'static str,
@@ -121,12 +147,13 @@ pub enum BodyError {
 impl Plant {
     /// The body, grown from the mesh file that this program carries.
     pub fn embedded_body(&self) -> Body {
-        (self.body)(self.mesh.text).expect("our own meshes are sound")
+        self.body.grow(self.body.mesh.text).expect("our own meshes are sound")
     }
 }
 
 /// From where the plant is first seen.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct View {
     /// Degrees around the upright axis, and above the horizon.
     pub azimuth_deg: f32,
@@ -158,11 +185,6 @@ pub fn all() -> &'static [Plant] {
 /// The plant of a key, as it stands in links.
 pub fn find(key: &str) -> Option<&'static Plant> {
     all().iter().find(|plant| plant.key == key)
-}
-
-/// The mesh of a text, each group refined so many times.
-fn smooth(obj: &str, levels: &dyn Fn(&Group) -> u32) -> Result<PolygonMesh, BodyError> {
-    Ok(PolygonMesh::parse(obj)?.refined_by(levels))
 }
 
 /// A number from 0 to 1 that is always the same for the same place: irregularity that belongs to
@@ -208,7 +230,7 @@ mod tests {
         for plant in all() {
             assert!(std::ptr::eq(find(plant.key).unwrap(), plant));
             plant.recipe.check().unwrap();
-            assert_eq!(plant.field.is_some(), plant.recipe.anisotropy > 0.0, "{}", plant.key);
+            assert_eq!(plant.guides.is_some(), plant.recipe.anisotropy > 0.0, "{}", plant.key);
             assert!(plant.first_day <= plant.recipe.days, "{}", plant.key);
             let body = plant.embedded_body();
             body.surface.check().unwrap();
@@ -273,9 +295,21 @@ mod tests {
     #[test]
     fn the_leaves_of_a_shoot_are_of_the_ages_of_the_figure() {
         let shoot = find("philodendron-shoot").unwrap();
-        assert_eq!(shoot.unfolding_days.len(), surface(shoot.key).part_count());
-        let ages = shoot.unfolding_days.iter().map(|unfolded| shoot.first_day - unfolded);
+        let unfolding_days = shoot.motion.unfolding_days;
+        assert_eq!(unfolding_days.len(), surface(shoot.key).part_count());
+        let ages = unfolding_days.iter().map(|unfolded| shoot.first_day - unfolded);
         assert!(ages.eq([32, 30, 27, 25, 23, 20]));
+    }
+
+    #[test]
+    fn stripes_of_lying_fruits_begin_level_with_their_axes() {
+        for key in ["watermelon", "long-watermelon"] {
+            let Wrap::Cylinder(Cylinder { axis, zero, .. }) = find(key).unwrap().paint[0].wrap
+            else {
+                panic!("{key} has a cylinder");
+            };
+            assert_eq!(zero, axis.cross(Vec3::Y).normalize(), "{key}");
+        }
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! Fly agaric: white warts on a red cap (Thesis, Fig. 4.15).
 
-use super::{BodyError, Look, Plant, Skin, View, scatter, spikes};
-use crate::surface::{Body, ControlImage, Cylinder, PolygonMesh, Wrap};
+use super::paint::{Grain, Image, ImageRule, Paint, Rims};
+use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use crate::surface::{Cylinder, Wrap};
 use crate::tissue::CellType::Foreground;
-use crate::tissue::{Control, Recipe, Use};
+use crate::tissue::{Recipe, Use};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -16,7 +17,7 @@ pub const PLANT: Plant = Plant {
     // keeps white; a plain white stem looks the same, and saves a third of the cells.
     recipe: Recipe {
         initial_cells: 6_000,
-        // Open in the thesis. With what `warts` adds at the top, a sixth of the cells is white;
+        // Open in the thesis. With what `WARTS` adds at the top, a sixth of the cells is white;
         // with a third the warts run into worms.
         initial_probability: [0.9, 0.1, 0.0],
         division_days: [8.0, 8.0, 8.0],
@@ -59,66 +60,51 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 15.0, zoom: 1.08 },
-    mesh: mesh_file!("mushroom.obj"),
-    body: grow_body,
-    controls: Some(|| vec![warts(), orange_rims()]),
-    field: None,
-    unfolding_days: &[],
+    body: Shape {
+        mesh: mesh_file!("mushroom.obj"),
+        // On the caps about as many triangles as first cells: finer, and the wide repulsive radius has
+        // far more of them to unfold around each cell.
+        levels: 2,
+        but: &[Levels { group: "lamellae", levels: 1 }, Levels { group: "volva", levels: 1 }],
+        growths: Growths::Moss,
+    },
+    paint: &[WARTS, ORANGE_RIMS],
+    guides: None,
+    motion: Motion::STILL,
 };
-
-fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    let mut mesh = super::smooth(obj, &|group| {
-        match group.part.as_str() {
-            // About as many triangles as first cells: finer, and the wide repulsive radius has far
-            // more of them to unfold around each cell.
-            "cap" => 2,
-            "lamellae" | "volva" => 1,
-            _ => 2,
-        }
-    })?;
-    grow_moss(&mut mesh);
-    Ok(Body::new(&mesh)?)
-}
-
-/// Short shoots all over the moss cushion.
-fn grow_moss(mesh: &mut PolygonMesh) {
-    let shoots = spikes::new_group(mesh, "shoots", "bare:shoot");
-    let faces = spikes::take_faces(mesh, "bare:moss");
-    for (number, face) in faces.iter().enumerate() {
-        let shaken = |purpose| 2.0 * scatter(number as u32, purpose) - 1.0;
-        // Each third quad: a closer stand hides the cushion, a wider one looks like grass.
-        if number % 3 == 0 {
-            let corner = |k: usize| mesh.positions[face.vertices[k] as usize];
-            let foot = (corner(0) + corner(2)) * 0.5 - Vec3::Y * 0.1;
-            let to_tip = Vec3::new(0.3 * shaken(1), 0.55 + 0.2 * shaken(2), 0.3 * shaken(3));
-            spikes::spike(mesh, foot, to_tip, 0.11, shoots);
-        }
-    }
-    mesh.faces.extend(faces);
-}
 
 /// Where the veil tore last, at the top of the cap, more of it is left: the higher, the more first
 /// cells are white, in a fine random grain.
-fn warts() -> Control {
-    const WHITE_AT_THE_TOP: f32 = 0.2;
-    let cylinder = Cylinder { base: Vec3::Y * 12.5, axis: Vec3::Y, zero: Vec3::X, height: 3.9 };
-    let image = ControlImage::paint(256, 128, |turns, height| {
-        let grain = scatter((turns * 256.0) as u32 + 256 * (height * 128.0) as u32, 0);
-        grain > WHITE_AT_THE_TOP * height
-    });
-    Control::foreground(Wrap::Cylinder(cylinder), image)
-}
+const WARTS: Paint = Paint {
+    wrap: Wrap::Cylinder(Cylinder {
+        base: Vec3::new(0.0, 12.5, 0.0),
+        axis: Vec3::Y,
+        zero: Vec3::X,
+        height: 3.9,
+    }),
+    image: Image {
+        width: 256,
+        height: 128,
+        rule: ImageRule::Grain(Grain { black_at_the_top: 0.2 }),
+    },
+    use_as: Use::FOREGROUND,
+};
 
-/// Red is tinted with orange towards the rims of the caps of `meshes/mushroom.obj`.
-pub(super) fn orange_rims() -> Control {
-    /// Heights of the rim and of the top of the button and of the grown cap, and of the image.
-    const CAPS_CM: [[f32; 2]; 2] = [[4.1, 6.8], [12.4, 16.1]];
-    const HEIGHT_CM: f32 = 17.0;
-    let cylinder = Cylinder { base: Vec3::ZERO, axis: Vec3::Y, zero: Vec3::X, height: HEIGHT_CM };
-    let image = ControlImage::shade(1, 256, &|_, height| {
-        let [rim_cm, top_cm] = CAPS_CM[usize::from(height > 0.5)];
-        let from_top = ((top_cm - height * HEIGHT_CM) / (top_cm - rim_cm)).clamp(0.0, 1.0);
-        from_top * from_top
-    });
-    Control { wrap: Wrap::Cylinder(cylinder), image, use_as: Use::Colour { of: Foreground } }
-}
+/// Red is tinted with orange towards the rims of the caps of `meshes/mushroom.obj`: those of the button
+/// and of the grown cap.
+pub(super) const ORANGE_RIMS: Paint = Paint {
+    wrap: Wrap::Cylinder(Cylinder {
+        base: Vec3::ZERO,
+        axis: Vec3::Y,
+        zero: Vec3::X,
+        height: HEIGHT_CM,
+    }),
+    image: Image {
+        width: 1,
+        height: 256,
+        rule: ImageRule::Rims(Rims { caps_cm: &[[4.1, 6.8], [12.4, 16.1]], height_cm: HEIGHT_CM }),
+    },
+    use_as: Use::Colour { of: Foreground },
+};
+
+const HEIGHT_CM: f32 = 17.0;

@@ -1,7 +1,7 @@
 //! Philodendron shoot: its leaves have unfolded one after another, and stand at six ages (Thesis,
 //! Fig. 4.10).
 
-use super::{Plant, philodendron};
+use super::{Motion, Plant, philodendron};
 use crate::tissue::Recipe;
 
 pub const PLANT: Plant = Plant {
@@ -16,7 +16,7 @@ pub const PLANT: Plant = Plant {
     },
     // On the last day the leaves, from the oldest near the pot to the youngest, are of 32, 30, 27, 25,
     // 23 and 20 days.
-    unfolding_days: &[0, 2, 5, 7, 9, 12],
+    motion: Motion { unfolding_days: &[0, 2, 5, 7, 9, 12] },
     first_day: philodendron::PLANT.recipe.days,
     ..philodendron::PLANT
 };

@@ -29,7 +29,7 @@ pub const PLANT: Plant = Plant {
         cells: [[0.93, 0.76, 0.2], [0.122, 0.353, 0.165], [0.72, 0.16, 0.14]],
         ..croton::PLANT.look
     },
-    controls: None,
+    paint: &[],
     ..croton::PLANT
 };
 

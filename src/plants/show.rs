@@ -63,8 +63,8 @@ impl Show {
     pub fn is_of(self, plant: &Plant) -> bool {
         match self {
             Cells => true,
-            FieldArrows | FieldX | FieldY | FieldZ => plant.field.is_some(),
-            ControlImages => plant.controls.is_some(),
+            FieldArrows | FieldX | FieldY | FieldZ => plant.guides.is_some(),
+            ControlImages => !plant.paint.is_empty(),
         }
     }
 

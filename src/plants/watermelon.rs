@@ -1,8 +1,9 @@
 //! Watermelon: dark jagged stripes from end to end (Thesis, Fig. 4.17).
 
-use super::{BodyError, Look, Plant, Skin, View, rough};
-use crate::surface::{Body, ControlImage, Cylinder, Wrap};
-use crate::tissue::{Control, Recipe};
+use super::paint::{Image, ImageRule, Paint, Stripes};
+use super::{Growths, Look, Motion, Plant, Shape, Skin, View};
+use crate::surface::{Cylinder, Wrap};
+use crate::tissue::{Recipe, Use};
 use glam::Vec3;
 
 pub const PLANT: Plant = Plant {
@@ -44,11 +45,10 @@ pub const PLANT: Plant = Plant {
         bare: &[("stem", [0.54, 0.478, 0.333], 0.05), ("scar", [0.5, 0.4, 0.28], 0.0)],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 16.0, zoom: 1.0 },
-    mesh: mesh_file!("watermelon.obj"),
-    body: grow_body,
-    controls: Some(stripes),
-    field: None,
-    unfolding_days: &[],
+    body: shape(mesh_file!("watermelon.obj")),
+    paint: &[STRIPES],
+    guides: None,
+    motion: Motion::STILL,
 };
 
 /// Towards the stem end; of unit length.
@@ -57,36 +57,37 @@ pub(super) const HALF_LENGTH_CM: f32 = 13.0;
 /// So that the lowest point of the fruit lies on the ground.
 pub(super) const CENTRE: Vec3 = Vec3::new(0.0, 12.3, 0.0);
 
-const STRIPES: u32 = 11;
-
-fn grow_body(obj: &str) -> Result<Body, BodyError> {
-    Ok(Body::new(&super::smooth(obj, &|_| 2)?)?)
+pub(super) const fn shape(mesh: super::MeshFile) -> Shape {
+    Shape { mesh, levels: 2, but: &[], growths: Growths::Nothing }
 }
 
-fn stripes() -> Vec<Control> {
-    stripes_along(AXIS, CENTRE, HALF_LENGTH_CM)
-}
+/// Dark stripes on a cylinder along the fruit.
+const STRIPES: Paint = Paint {
+    wrap: Wrap::Cylinder(along(CENTRE, AXIS, HALF_LENGTH_CM, Vec3::new(ZERO_X, 0.0, ZERO_Z))),
+    image: Image { width: 512, height: 256, rule: ImageRule::Stripes(JAGGED) },
+    use_as: Use::FOREGROUND,
+};
 
-/// Dark stripes on a cylinder along a fruit.
-pub(super) fn stripes_along(axis: Vec3, centre: Vec3, half_length_cm: f32) -> Vec<Control> {
-    let cylinder = Cylinder {
-        base: centre - axis * half_length_cm,
-        axis,
-        zero: axis.cross(Vec3::Y).normalize(),
-        height: 2.0 * half_length_cm,
-    };
-    let image = ControlImage::paint(512, 256, is_stripe);
-    vec![Control::foreground(Wrap::Cylinder(cylinder), image)]
-}
+/// Across the axis of the fruit, and level.
+const ZERO_X: f32 = -0.857_492_9;
+const ZERO_Z: f32 = 0.514_495_75;
 
-/// Whether a first cell at this angle, in turns, and height may be dark.
-pub(super) fn is_stripe(turns: f32, height: f32) -> bool {
-    let stripe = (turns * STRIPES as f32) as u32 % STRIPES;
-    let from_middle = turns * STRIPES as f32 - stripe as f32 - 0.5;
-    let side = u32::from(from_middle > 0.0);
-    // Stripes wander, are of unlike width, and have teeth of two sizes.
-    let wander = 0.1 * rough(height * 5.0, stripe, 0);
-    let width = 0.17 + 0.03 * rough(0.0, stripe, 1) + 0.05 * rough(height * 9.0, stripe, 2 + side);
-    let teeth = 0.09 * rough(height * 34.0, stripe, 4 + side);
-    (from_middle - wander).abs() < width + teeth
+pub(super) const JAGGED: Stripes = Stripes {
+    count: 11,
+    half_width: 0.17,
+    varies_between: 0.03,
+    varies_along: 0.05,
+    wander: 0.1,
+    teeth: 0.09,
+    cube: None,
+};
+
+/// The cylinder from end to end of a fruit.
+pub(super) const fn along(centre: Vec3, axis: Vec3, half_length_cm: f32, zero: Vec3) -> Cylinder {
+    let base = Vec3::new(
+        centre.x - axis.x * half_length_cm,
+        centre.y - axis.y * half_length_cm,
+        centre.z - axis.z * half_length_cm,
+    );
+    Cylinder { base, axis, zero, height: 2.0 * half_length_cm }
 }

@@ -106,7 +106,7 @@ impl Gallery {
             Event::WorkerLost(number, why) => self.lose(number, why, &mut effects),
             Event::Mesh { name, text } => {
                 let news = self.meshes.take(name, text);
-                let row = self.row.as_mut().filter(|row| row.plant().mesh.name == name);
+                let row = self.row.as_mut().filter(|row| row.plant().body.mesh.name == name);
                 if let (Some(Err(why)), Some(row)) = (news, row) {
                     row.give_up(words::no_mesh(row.plant(), &why));
                 }
@@ -151,7 +151,7 @@ impl Gallery {
         row.day = day.min(row.last_day());
         self.days.retain(|(number, _)| *number != row.figure.number);
         self.days.push((row.figure.number, row.day));
-        if self.meshes.has_failed(row.plant().mesh.name) {
+        if self.meshes.has_failed(row.plant().body.mesh.name) {
             row.trouble = None;
             row.runs.iter_mut().for_each(|run| run.end = None);
         }
@@ -224,7 +224,7 @@ impl Gallery {
             let resting = |hand: &Hand| hand.listens() && hand.grows.is_none();
             let Some(number) = self.hands.iter().position(resting) else { return };
             let mut wishes = Vec::new();
-            if self.meshes.provide(run.scene.plant.mesh.name, Some(number), &mut wishes) {
+            if self.meshes.provide(run.scene.plant.body.mesh.name, Some(number), &mut wishes) {
                 self.hands[number].grows = Some(generation);
                 let link = link::write(&run.scene);
                 wishes.push(Effect::Post(ToWorker::Grow { generation, link }));

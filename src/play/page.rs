@@ -124,7 +124,7 @@ impl Page {
 
     /// The text of the mesh file of the plant, once the worker has it.
     pub fn mesh(&self) -> Option<&str> {
-        self.meshes.text(self.scene.plant.mesh.name)
+        self.meshes.text(self.scene.plant.body.mesh.name)
     }
 
     /// What is on the screen now.

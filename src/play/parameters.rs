@@ -58,7 +58,7 @@ impl Parameter {
     /// One line on what it does; where a control image has the last word, that, too.
     pub fn effect(&self, plant: &Plant) -> String {
         let effect = with_colours(self.effect, plant);
-        match self.key == "pf" && plant.controls.is_some() {
+        match self.key == "pf" && !plant.paint.is_empty() {
             true => effect + &with_colours(CONTROLLED, plant),
             false => effect,
         }
@@ -69,7 +69,7 @@ impl Parameter {
         match self.needs {
             Needs::Nothing => true,
             Needs::Middle => !plant.colour_names[2].is_empty(),
-            Needs::Field => plant.field.is_some(),
+            Needs::Field => plant.guides.is_some(),
         }
     }
 

@@ -1,20 +1,21 @@
 //! Small plants for the tests of this room, so that they need no catalogue and grow in no time.
 
-use crate::plants::{BodyError, Look, MeshFile, Plant, Skin, View};
-use crate::surface::{Body, DirectionField, Face, Guide, Mesh, PolygonMesh};
+use crate::plants::{
+    Growths, GuideVector, Guides, Look, MeshFile, Motion, Plant, Shape, Skin, View,
+};
 use crate::tissue::Recipe;
 use glam::Vec3;
 
 /// Two plants of one square sheet each; the first has M cells and a direction field.
 pub const PLANTS: &[Plant] =
-    &[plant("leaf", "Leaf", 6, "red", Some(eastwards)), plant("fruit", "Fruit", 4, "", None)];
+    &[plant("leaf", "Leaf", 6, "red", Some(EASTWARDS)), plant("fruit", "Fruit", 4, "", None)];
 
 const fn plant(
     key: &'static str,
     name: &'static str,
     days: u32,
     middle: &'static str,
-    field: Option<fn(&Mesh) -> DirectionField>,
+    guides: Option<Guides>,
 ) -> Plant {
     Plant {
         key,
@@ -48,27 +49,27 @@ const fn plant(
             bare: &[],
         },
         view: View { azimuth_deg: 0.0, elevation_deg: 20.0, zoom: 1.0 },
-        mesh: MeshFile { name: key, text: "" },
-        body: sheet,
-        controls: None,
-        field,
-        unfolding_days: &[],
+        body: Shape {
+            mesh: MeshFile { name: key, text: SHEET },
+            levels: 0,
+            but: &[],
+            growths: Growths::Nothing,
+        },
+        paint: &[],
+        guides,
+        motion: Motion::STILL,
     }
 }
 
-/// A square of 4 by 4 centimetres in 32 triangles.
-fn sheet(_: &str) -> Result<Body, BodyError> {
-    let positions = (0..25).map(|k| Vec3::new((k % 5) as f32, 1.0, -((k / 5) as f32))).collect();
-    let corner = |k: u32| (k % 4) + 5 * (k / 4);
-    let faces = (0..16)
-        .map(corner)
-        .map(|v| Face { vertices: vec![v, v + 1, v + 6, v + 5], group: 0 })
-        .collect();
-    let polygons = PolygonMesh { positions, faces, ..PolygonMesh::default() };
-    Ok(Body::new(&polygons)?)
-}
+/// A square of 4 by 4 centimetres in 16 quads.
+pub const SHEET: &str = "\
+    v 0 1 -0\nv 1 1 -0\nv 2 1 -0\nv 3 1 -0\nv 4 1 -0\nv 0 1 -1\nv 1 1 -1\nv 2 1 -1\nv 3 1 -1\n\
+    v 4 1 -1\nv 0 1 -2\nv 1 1 -2\nv 2 1 -2\nv 3 1 -2\nv 4 1 -2\nv 0 1 -3\nv 1 1 -3\nv 2 1 -3\n\
+    v 3 1 -3\nv 4 1 -3\nv 0 1 -4\nv 1 1 -4\nv 2 1 -4\nv 3 1 -4\nv 4 1 -4\nf 1 2 7 6\nf 2 3 8 7\n\
+    f 3 4 9 8\nf 4 5 10 9\nf 6 7 12 11\nf 7 8 13 12\nf 8 9 14 13\nf 9 10 15 14\nf 11 12 17 16\n\
+    f 12 13 18 17\nf 13 14 19 18\nf 14 15 20 19\nf 16 17 22 21\nf 17 18 23 22\nf 18 19 24 23\n\
+    f 19 20 25 24\n";
 
-fn eastwards(mesh: &Mesh) -> DirectionField {
-    let guide = Guide { triangle: 0, direction: Vec3::X };
-    DirectionField::new(mesh, &[guide], 1.0).expect("one control vector")
-}
+const EASTWARDS: Guides = Guides { epsilon_per_cm: 1.0, vectors: &EASTWARD };
+const EASTWARD: [GuideVector; 1] =
+    [GuideVector::Near { point_cm: Vec3::new(0.5, 1.0, -0.5), direction: Vec3::X }];

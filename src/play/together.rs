@@ -2,7 +2,7 @@
 
 use super::page::{Effect, Event, Page, State};
 use super::protocol::{ToPage, ToWorker};
-use super::testing::PLANTS;
+use super::testing::{PLANTS, SHEET};
 use super::worker::Worker;
 use super::{End, link};
 use crate::plants::Show;
@@ -82,7 +82,7 @@ impl Together {
                 }
                 Effect::LoadMesh(name) => {
                     self.loads.push(name);
-                    self.hear(Event::Mesh { name, text: Ok(String::new()) });
+                    self.hear(Event::Mesh { name, text: Ok(SHEET.to_string()) });
                 }
                 Effect::WriteLink(link) => self.links.push(link),
                 Effect::PushLink(link) => {
@@ -336,7 +336,7 @@ fn a_full_population_ends_the_line_of_days() {
             vec![plant]
         });
     let (mut page, _) = Page::open("#leaf?v=1&s=1&d=6", &CROWDED);
-    page.hear(Event::Mesh { name: "leaf", text: Ok(String::new()) });
+    page.hear(Event::Mesh { name: "leaf", text: Ok(SHEET.to_string()) });
     let mut worker = Worker::new(&CROWDED);
     let mut told = Vec::new();
     for effect in page.hear(Event::FromWorker(Worker::hello())) {

@@ -117,9 +117,10 @@ impl Worker {
         }
         // First, so that the new one finds its room.
         self.ground = None;
-        let mesh = self.meshes.iter().find(|(name, _)| name == plant.mesh.name);
-        let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.mesh.name))?;
-        let body = (plant.body)(text).map_err(|why| format!("{}: {why}", plant.mesh.name))?;
+        let mesh = self.meshes.iter().find(|(name, _)| name == plant.body.mesh.name);
+        let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.body.mesh.name))?;
+        let body =
+            plant.body.grow(text).map_err(|why| format!("{}: {why}", plant.body.mesh.name))?;
         let surface = Arc::new(body.surface);
         let finder = SiteFinder::new(&surface).coloured(plant.controls());
         self.ground = Some(Ground { plant: plant.key, surface: Arc::clone(&surface), finder });
@@ -142,11 +143,11 @@ impl Ground {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::PLANTS;
+    use super::super::testing::{PLANTS, SHEET};
     use super::*;
 
     fn mesh(name: &str) -> ToWorker {
-        ToWorker::Mesh { name: name.to_string(), text: String::new() }
+        ToWorker::Mesh { name: name.to_string(), text: SHEET.to_string() }
     }
 
     fn grow(plant: &str) -> ToWorker {

@@ -2,9 +2,11 @@
 
 use super::{Mesh, Place};
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 /// A cylinder around a body: a point of the body is looked up by its angle and height.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Cylinder {
     /// Centre of the bottom disc.
     pub base: Vec3,
@@ -13,6 +15,7 @@ pub struct Cylinder {
     /// Unit vector, across the axis, where the angle is 0.
     pub zero: Vec3,
     /// Distance from the bottom to the top, in centimetres.
+    #[serde(rename = "height_cm")]
     pub height: f32,
 }
 
@@ -26,7 +29,8 @@ pub struct ControlImage {
 }
 
 /// How a control image lies on a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Wrap {
     Cylinder(Cylinder),
     /// Spread over every leaf by its leaf coordinates, from rim to rim and from base to tip. (The
@@ -54,6 +58,30 @@ impl Wrap {
 }
 
 impl Cylinder {
+    /// Whether axis and zero are unit vectors across each other and the height is over 0; else what is
+    /// wrong, in words.
+    pub fn check(&self) -> Result<(), String> {
+        // Of vectors that were written with four digits.
+        const ROUNDING: f32 = 1e-3;
+        let is_unit = |v: Vec3| (v.length() - 1.0).abs() < ROUNDING;
+        if !(is_unit(self.axis) && is_unit(self.zero) && self.axis.dot(self.zero).abs() < ROUNDING)
+        {
+            return Err(
+                "axis and zero of a cylinder must be of length 1 and at a right angle".into()
+            );
+        }
+        if !(self.base.abs().max_element() <= 10_000.0) {
+            return Err(format!(
+                "the base of a cylinder is {}: it must be within 10,000 cm",
+                self.base
+            ));
+        }
+        match self.height {
+            0.01..=10_000.0 => Ok(()),
+            height => Err(format!("height_cm is {height}: it must be from 0.01 to 10,000")),
+        }
+    }
+
     /// Angle in turns, `0..1`, and height, 0 at the bottom and 1 at the top, of a point.
     pub fn coordinates(&self, point: Vec3) -> (f32, f32) {
         let from_base = point - self.base;

@@ -4,6 +4,7 @@
 
 use super::{CellType, Recipe, RecipeError, Scaled};
 use crate::surface::{ControlImage, Mesh, Place, Wrap};
+use serde::{Deserialize, Serialize};
 
 /// A control image on a body and its use.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +15,8 @@ pub struct Control {
 }
 
 /// What a control image is used for.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Use {
     /// First cells of one type only where it is white: where it is black they are of the other.
     FirstCells { of: CellType, instead: CellType },
@@ -27,13 +29,13 @@ pub enum Use {
     Colour { of: CellType },
 }
 
-impl Control {
-    /// F only where the image is white, and B instead: the use that most plants have.
-    pub fn foreground(wrap: Wrap, image: ControlImage) -> Control {
-        let use_as = Use::FirstCells { of: CellType::Foreground, instead: CellType::Background };
-        Control { wrap, image, use_as }
-    }
+impl Use {
+    /// F only where the image is white, and B instead: what most plants have.
+    pub const FOREGROUND: Use =
+        Use::FirstCells { of: CellType::Foreground, instead: CellType::Background };
+}
 
+impl Control {
     /// The type of a first cell of which this type was drawn.
     pub fn first_type(&self, mesh: &Mesh, place: Place, drawn: CellType) -> CellType {
         match self.use_as {

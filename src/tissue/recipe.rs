@@ -2,14 +2,17 @@
 
 mod json;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The types of cells (CM98; Thesis 3.2.1.1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[repr(u8)]
 pub enum CellType {
+    #[serde(rename = "F")]
     Foreground = 0,
+    #[serde(rename = "B")]
     Background = 1,
+    #[serde(rename = "M")]
     Middle = 2,
 }
 
@@ -28,7 +31,8 @@ impl CellType {
 }
 
 /// A number of a recipe that can be scaled, by a control image, from place to place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Scaled {
     /// `division_days` of a type.
     DivisionDays(CellType),

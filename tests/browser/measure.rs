@@ -132,8 +132,8 @@ fn best(mut run: impl FnMut() -> Option<f64>) -> f64 {
 /// Body, all days, and the lists that are drawn, in this thread.
 fn native_seconds(plant: &'static Plant) -> f64 {
     let mut worker = Worker::new(plants::all());
-    let text = plant.mesh.text.to_string();
-    worker.hear(ToWorker::Mesh { name: plant.mesh.name.to_string(), text });
+    let text = plant.body.mesh.text.to_string();
+    worker.hear(ToWorker::Mesh { name: plant.body.mesh.name.to_string(), text });
     let begun = Instant::now();
     worker.hear(ToWorker::Grow { generation: 1, link: preset_link(plant) });
     worker.work(|| false, |news| drop(news.to_words()));

@@ -1,5 +1,6 @@
 //! The command line as its user meets it.
 
+mod plants;
 mod sweeps;
 
 use serde_json::Value;

@@ -45,7 +45,7 @@ fn first_cells_of_each_type_stand_only_where_its_image_is_white() {
             }
         }
     }
-    let control = Control::foreground(wrap, image);
+    let control = Control { wrap, image, use_as: Use::FOREGROUND };
     assert_eq!(control.use_as, Use::FirstCells { of: Foreground, instead: Background });
 }
 

@@ -135,7 +135,7 @@ fn complete_at_every_moment(mesh: &Mesh, cells: u32) {
 #[test]
 fn leaves_without_cells_have_empty_lists() {
     let croton = plants::all().iter().find(|plant| plant.key == "croton").unwrap();
-    let body = (croton.body)(croton.mesh.text).unwrap();
+    let body = croton.body.grow(croton.body.mesh.text).unwrap();
     let mesh = &body.surface;
     let diary = grown(mesh, 3, 1);
     let lists = SiteFinder::new(mesh).find(mesh, &diary, 1);

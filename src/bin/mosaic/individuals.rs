@@ -154,7 +154,7 @@ impl Subject {
         let mut by_age = BTreeMap::<u32, [u32; 3]>::new();
         for (place, cell) in diary.days[0].places.iter().zip(&diary.lineage) {
             let part = self.mesh.parts[place.triangle as usize] as usize;
-            let unfolded = plant.unfolding_days.get(part).copied().unwrap_or(0);
+            let unfolded = plant.motion.unfolding_days.get(part).copied().unwrap_or(0);
             let age = self.scene.day.saturating_sub(unfolded);
             by_age.entry(age).or_default()[cell.kind as usize] += 1;
         }

@@ -45,6 +45,9 @@ fn run() -> Result<(), Refusal> {
         Asked::For(Command::Grow(options)) => grow::grow(&options),
         Asked::For(Command::Figures(options)) => figures::figures(&options),
         Asked::For(Command::Sweep(options)) => sweep::sweep(&options),
+        Asked::For(Command::Plant(options)) => {
+            say(&(subject::plant(&options.name)?.to_json() + "\n"))
+        }
         Asked::For(Command::Bench(options)) => bench::bench(options.runs),
         Asked::Text(text) => say(&text),
     }

@@ -42,6 +42,8 @@ pub enum Command {
     /// them, and their means as `mosaic figures` has them, each with the link that shows it.
     #[command(verbatim_doc_comment)]
     Sweep(SweepOptions),
+    /// A plant as a document: JSON with all that makes it, for mosaic grow --plant
+    Plant(PlantNameOptions),
     /// How fast the engine is on this machine
     Bench(BenchOptions),
 }
@@ -83,6 +85,9 @@ struct SourceOptions {
     /// A recipe in JSON; what it leaves out has a default. Without --mesh it grows on the croton
     #[arg(long, value_name = "FILE.json")]
     recipe: Option<PathBuf>,
+    /// A plant as mosaic plant prints it. With --mesh its images and guides lie on that body
+    #[arg(long, value_name = "FILE.json")]
+    plant: Option<PathBuf>,
 }
 
 /// Where the recipe comes from.
@@ -90,6 +95,7 @@ pub enum Source<'a> {
     Link(&'a str),
     Preset(&'a str),
     Recipe(&'a PathBuf),
+    Plant(&'a PathBuf),
 }
 
 impl GrowOptions {
@@ -97,6 +103,7 @@ impl GrowOptions {
         match &self.source {
             SourceOptions { link: Some(text), .. } => Source::Link(text),
             SourceOptions { recipe: Some(path), .. } => Source::Recipe(path),
+            SourceOptions { plant: Some(path), .. } => Source::Plant(path),
             SourceOptions { preset, .. } => {
                 Source::Preset(preset.as_deref().unwrap_or(FIRST_PLANT))
             }
@@ -214,6 +221,12 @@ impl PrintOptions {
 }
 
 #[derive(Args)]
+pub struct PlantNameOptions {
+    #[arg(value_name = "NAME", help = presets())]
+    pub name: String,
+}
+
+#[derive(Args)]
 pub struct BenchOptions {
     /// The best of N runs is told
     #[arg(
@@ -257,7 +270,7 @@ fn refusal(error: &clap::Error) -> Refusal {
     let argument = option(ContextKind::InvalidArg);
     match error.kind() {
         ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            "say what to do: mosaic grow, figures, sweep or bench, or mosaic --help".into()
+            "say what to do: mosaic grow, figures, sweep, plant or bench, or mosaic --help".into()
         }
         ErrorKind::InvalidSubcommand => {
             format!(

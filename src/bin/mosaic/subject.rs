@@ -18,8 +18,9 @@ pub struct Subject {
     pub mesh: Arc<Mesh>,
     /// How the caller's own mesh was read.
     pub reading: Option<Reading>,
-    /// The control images and the direction field of a plant belong to its own body alone.
-    on_own_body: bool,
+    /// The control images and the direction field of a preset belong to its own body alone; those of a
+    /// document lie on any.
+    is_painted: bool,
     /// Its `days` are the days to grow.
     pub recipe: Recipe,
     pub individual: u32,
@@ -40,7 +41,7 @@ impl Subject {
     pub fn sow(&self) -> Result<Growth, Refusal> {
         let (mesh, recipe) = (self.mesh.clone(), self.recipe.clone());
         let growth = match self.plant {
-            Some(plant) if self.on_own_body => plant.sow(mesh, recipe, self.individual),
+            Some(plant) if self.is_painted => plant.sow(mesh, recipe, self.individual),
             _ => Growth::new(mesh, recipe, &[], self.individual),
         };
         growth.map_err(|e| e.to_string())
@@ -62,7 +63,9 @@ pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
         Source::Preset(name) => of_plant(plant(name)?),
         Source::Link(text) => of_link(text)?,
         Source::Recipe(path) => of_recipe(path, options.mesh.is_none())?,
+        Source::Plant(path) => of_document(path)?,
     };
+    let is_document = matches!(options.source(), Source::Plant(_));
     let day = options.day.unwrap_or(day);
     if day > recipe.days {
         return Err(too_late(day, recipe.days));
@@ -74,12 +77,16 @@ pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
         (None, None) => unreachable!("a recipe without a mesh has the first plant's body"),
     };
     let individual = options.individual.unwrap_or(individual);
+    let mesh = Arc::new(mesh);
+    if let (Some(plant), Source::Plant(path)) = (plant, options.source()) {
+        plant.check_on(&mesh).map_err(|e| of_file(path, &e))?;
+    }
     Ok(Subject {
         plant,
         noise: noise.then(|| Noise::new(&mesh, individual)),
-        mesh: Arc::new(mesh),
+        mesh,
         reading,
-        on_own_body: options.mesh.is_none(),
+        is_painted: is_document || options.mesh.is_none(),
         recipe,
         individual,
     })
@@ -99,7 +106,7 @@ pub fn scene(source: Source, day: Option<u32>) -> Result<Scene, Refusal> {
             let plant = plant(name)?;
             Scene { day: plant.recipe.days, ..Scene::preset(plant, FIRST_INDIVIDUAL) }
         }
-        Source::Recipe(_) => unreachable!("a scene is a plant's"),
+        Source::Recipe(_) | Source::Plant(_) => unreachable!("a scene is a plant of the catalogue"),
     };
     scene.day = day.unwrap_or(scene.day);
     if scene.day > scene.recipe.days {
@@ -146,7 +153,13 @@ fn of_recipe(path: &Path, on_first_plant: bool) -> Result<Wish, Refusal> {
     Ok(Wish { plant, recipe, individual: FIRST_INDIVIDUAL, day, noise: false })
 }
 
-fn plant(name: &str) -> Result<&'static Plant, Refusal> {
+/// A plant that was read lives as long as the program, as those of the catalogue do.
+fn of_document(path: &Path) -> Result<Wish, Refusal> {
+    let plant = Plant::from_json(&read(path)?).map_err(|e| of_file(path, &e))?;
+    Ok(of_plant(Box::leak(Box::new(plant))))
+}
+
+pub fn plant(name: &str) -> Result<&'static Plant, Refusal> {
     plants::find(name).ok_or_else(|| {
         let known: Vec<&str> = plants::all().iter().map(|plant| plant.key).collect();
         format!("there is no preset {}: there are {}", quoted(name), known.join(", "))

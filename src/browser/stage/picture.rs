@@ -92,7 +92,7 @@ impl<'a> Picture<'a> {
 
 impl OnStage {
     pub(super) fn of(plant: &Plant, mesh: &str) -> Result<OnStage, BodyError> {
-        let body = (plant.body)(mesh)?;
+        let body = plant.body.grow(mesh)?;
         let (geometry, sphere) = (Geometry::new(&body), Sphere::around(&body));
         Ok(OnStage { body, geometry, sphere })
     }

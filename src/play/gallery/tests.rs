@@ -1,7 +1,7 @@
 //! Figures and their workers joined in memory.
 
 use super::super::figures::Picture;
-use super::super::testing::PLANTS;
+use super::super::testing::{PLANTS, SHEET};
 use super::super::worker::Worker;
 use super::*;
 
@@ -52,7 +52,7 @@ impl Together {
                 Effect::EndWorker => self.end(number),
                 Effect::LoadMesh(name) => {
                     self.loads += 1;
-                    self.hear(Event::Mesh { name, text: Ok(String::new()) });
+                    self.hear(Event::Mesh { name, text: Ok(SHEET.to_string()) });
                 }
                 Effect::Post(wish) => {
                     if matches!(wish, ToWorker::Grow { .. }) {
@@ -328,7 +328,7 @@ fn a_mesh_that_does_not_come_is_told_and_asked_for_when_the_row_is_wished_again(
         assert_eq!(row.state(|_, _| true), State::Error);
     }
     assert_eq!(gallery.hear(Event::Day(2)).len(), 1);
-    let effects = gallery.hear(Event::Mesh { name: "leaf", text: Ok(String::new()) });
+    let effects = gallery.hear(Event::Mesh { name: "leaf", text: Ok(SHEET.to_string()) });
     assert!(matches!(effects[..], [(0, Effect::Post(_)), (0, Effect::Post(_))]), "{effects:?}");
 }
 
@@ -339,7 +339,7 @@ fn a_file_of_another_row_is_no_reason_to_try_again() {
     gallery.hear(Event::Open(&ROW));
     gallery.hear(Event::Mesh { name: "leaf", text: Err("no connection".to_string()) });
     gallery.hear(Event::Open(&OTHER));
-    gallery.hear(Event::Mesh { name: "fruit", text: Ok(String::new()) });
+    gallery.hear(Event::Mesh { name: "fruit", text: Ok(SHEET.to_string()) });
     let text = "it cannot be".to_string();
     gallery.hear(Event::FromWorker(0, ToPage::Failed { generation: 3, text }));
     assert_eq!(gallery.hear(Event::Day(1)), []);

@@ -25,7 +25,7 @@ impl Page {
         effects.extend(self.hand.start());
         let Run { generation, scene, .. } = &self.run;
         let worker = self.hand.listens().then_some(WORKER);
-        let has_mesh = self.meshes.provide(scene.plant.mesh.name, worker, effects);
+        let has_mesh = self.meshes.provide(scene.plant.body.mesh.name, worker, effects);
         if has_mesh && self.hand.listens() {
             let (generation, link) = (*generation, link::write(scene));
             self.run.end = None;
@@ -88,7 +88,7 @@ impl Page {
     ) {
         let news = self.meshes.take(name, text);
         let plant = self.run.scene.plant;
-        if plant.mesh.name != name || self.is_away {
+        if plant.body.mesh.name != name || self.is_away {
             return;
         }
         match news {

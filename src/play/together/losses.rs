@@ -32,7 +32,7 @@ fn the_figures_get_the_room_of_the_plant_and_it_comes_back() {
     all.take(effects);
     assert!(all.worker.is_none() && all.page.run().newest().is_none());
     // A file for the figures is no reason to grow.
-    all.hear(Event::Mesh { name: "leaf", text: Ok(String::new()) });
+    all.hear(Event::Mesh { name: "leaf", text: Ok(SHEET.to_string()) });
     all.hear(Event::OpenLink("#figures/4.1".to_string()));
     assert_eq!((all.starts, all.wishes, all.links.len()), (1, 1, 1));
     all.hear(Event::OpenLink(format!("#{}", all.page.link())));
@@ -55,7 +55,7 @@ fn a_file_that_was_not_waited_for_changes_nothing() {
     }
     // Nor does it while the plant grows.
     all.hear(Event::Individual(2.0));
-    let effects = all.page.hear(Event::Mesh { name: "leaf", text: Ok(String::new()) });
+    let effects = all.page.hear(Event::Mesh { name: "leaf", text: Ok(SHEET.to_string()) });
     assert_eq!(posts(&effects), 0);
 }
 
@@ -90,7 +90,7 @@ fn a_plant_that_waits_for_its_file_did_not_kill_the_worker() {
     // It was the one before.
     all.kill();
     assert_eq!((all.starts, all.told.len()), (2, 0));
-    all.hear(Event::Mesh { name: "fruit", text: Ok(String::new()) });
+    all.hear(Event::Mesh { name: "fruit", text: Ok(SHEET.to_string()) });
     all.finish();
     assert_eq!(all.page.state(), State::Ready);
     assert_eq!(all.page.drawn().unwrap().plant, "fruit");
@@ -123,7 +123,7 @@ fn a_mesh_that_cannot_be_loaded_is_told_and_asked_for_whenever_the_scene_is_wish
     }
     fail(&mut page);
     // The figures got it.
-    let effects = page.hear(Event::Mesh { name: "leaf", text: Ok(String::new()) });
+    let effects = page.hear(Event::Mesh { name: "leaf", text: Ok(SHEET.to_string()) });
     assert_eq!((posts(&effects), page.run().end.clone()), (2, None));
 }
 

@@ -20,6 +20,17 @@ pub(super) fn read(text: &str) -> Result<Recipe, RecipeError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     serde_json::from_str::<IgnoredAny>(text).or_else(|e| refuse("the recipe is no JSON", e))?;
     let json: Json = serde_json::from_str(text).or_else(|e| refuse("the recipe", e))?;
+    recipe(&json)
+}
+
+/// A recipe inside another document; it has to be checked as that of `read`.
+impl<'de> Deserialize<'de> for Recipe {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Recipe, D::Error> {
+        recipe(&Json::deserialize(deserializer)?).map_err(serde::de::Error::custom)
+    }
+}
+
+fn recipe(json: &Json) -> Result<Recipe, RecipeError> {
     let mut recipe = Recipe::DEFAULT;
     for (key, value) in json.members("the recipe")? {
         let at = key.as_str();

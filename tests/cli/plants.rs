@@ -1,0 +1,86 @@
+//! Plants as documents.
+
+use super::*;
+use clonal_mosaic::plants;
+
+#[test]
+fn every_plant_is_printed_and_grows_as_its_preset_does() {
+    for plant in plants::all() {
+        let text = succeed(&["plant", plant.key]);
+        let document = file(&format!("{}.json", plant.key), &text);
+        let run = |source: &str, name: &str| json(&["grow", source, name, "--day", "1", "--json"]);
+        let (own, preset) = (run("--plant", &document), run("--preset", plant.key));
+        assert_eq!(own["plant"], plant.key);
+        assert_eq!(own["days"], preset["days"], "{}", plant.key);
+    }
+}
+
+#[test]
+fn a_changed_number_is_a_changed_plant() {
+    let text = succeed(&["plant", "banded-cactus"]);
+    let grow = |text: &str| {
+        let document = file("changed.json", text);
+        json(&["grow", "--plant", &document, "--day", "0", "--json"])["days"][0].clone()
+    };
+    let before = grow(&text);
+    for (from, to) in [
+        ("[9.0, 15.5]", "[9.0, 25.5]"),
+        ("\"initial_cells\": 5000", "\"initial_cells\": 4000"),
+        // The skin is refined as all the rest then.
+        ("\"skin\"", "\"flesh\""),
+        ("\"cactus.obj\"", "\"watermelon.obj\""),
+    ] {
+        assert!(text.contains(from), "{from}");
+        assert_ne!(grow(&text.replacen(from, to, 1)), before, "{to}");
+    }
+    // A longer belt has more yellow first cells.
+    let yellow = |day: &Value| day["F"].as_u64().unwrap();
+    let longer = grow(&text.replacen("[9.0, 15.5]", "[9.0, 25.5]", 1));
+    assert!(yellow(&longer) > yellow(&before) + 100, "{longer} after {before}");
+}
+
+#[test]
+fn images_and_guides_of_a_document_lie_on_a_mesh_of_ones_own() {
+    let mesh = file("plants.obj", TETRAHEDRON);
+    let half = succeed(&["plant", "croton"])
+        .replace("\"base\": [0.0, 10.0, 0.0]", "\"base\": [0.0, 0.0, 0.0]")
+        .replace("\"height_cm\": 28.0", "\"height_cm\": 1.0")
+        .replace("\"black_at_the_top\": 0.65", "\"black_at_the_top\": 1.0");
+    let document = file("half.json", &half);
+    let grow = ["grow", "--plant", &document, "--mesh", &mesh, "--day", "0", "--json"];
+    let day = json(&grow)["days"][0].clone();
+    // Upwards of the middle there are ever fewer yellow first cells, of 19 in 100.
+    let yellow = day["F"].as_f64().unwrap() / day["cells"].as_f64().unwrap();
+    assert!((0.08..0.15).contains(&yellow), "{yellow}");
+
+    let leaf = file("leaf.json", &succeed(&["plant", "philodendron"]));
+    let refused = mosaic(&["grow", "--plant", &leaf, "--mesh", &mesh]);
+    let told = String::from_utf8(refused.stderr).unwrap();
+    assert!(told.contains("lies on leaf coordinates: this mesh has none"), "{told}");
+    assert_eq!((refused.status.code(), told.lines().count()), (Some(2), 1));
+}
+
+#[test]
+fn what_is_no_plant_is_refused_in_one_line() {
+    let text = succeed(&["plant", "mushroom"]);
+    for (text, told) in [
+        (
+            text.replace("\"gloss\": 0.5", "\"gloss\": 5"),
+            "look: gloss is 5: it must be from 0 to 1",
+        ),
+        (text.replace("\"moss\"", "\"mould\""), "body.growths"),
+        (text.replace("\"rims\"", "\"rimes\""), "paint[1].image.rule"),
+        (text.replace("\"view\"", "\"vue\""), "vue"),
+        ("{}".to_string(), "missing field"),
+        ("no".to_string(), "the plant is no JSON"),
+    ] {
+        let document = file("refused.json", &text);
+        let refused = mosaic(&["grow", "--plant", &document]);
+        let line = String::from_utf8(refused.stderr).unwrap();
+        assert_eq!((refused.status.code(), line.lines().count()), (Some(2), 1), "{line}");
+        assert!(line.contains(told) && line.contains("refused.json"), "{told}: {line}");
+    }
+    let unknown = mosaic(&["plant", "nettle"]);
+    let line = String::from_utf8(unknown.stderr).unwrap();
+    assert!(line.contains("there is no preset \"nettle\""), "{line}");
+}
