@@ -35,7 +35,7 @@ mod watermelon;
 use crate::surface::{Body, DirectionField, Group, Mesh, ObjError, PolygonMesh, SurfaceError};
 use crate::tissue::{Control, Growth, Recipe, RecipeError};
 pub use diagram::{Diagram, Layer};
-pub use look::{Look, Skin};
+pub use look::{Look, Skin, linear, srgb};
 pub use show::Show;
 use std::sync::Arc;
 

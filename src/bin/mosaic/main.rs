@@ -1,6 +1,7 @@
 //! The playground's engine from a shell.
 
 mod bench;
+mod export;
 mod figures;
 mod grow;
 mod individuals;
@@ -45,6 +46,7 @@ fn run() -> Result<(), Refusal> {
         Asked::For(Command::Grow(options)) => grow::grow(&options),
         Asked::For(Command::Figures(options)) => figures::figures(&options),
         Asked::For(Command::Sweep(options)) => sweep::sweep(&options),
+        Asked::For(Command::Export(options)) => export::export(&options),
         Asked::For(Command::Bench(options)) => bench::bench(options.runs),
         Asked::Text(text) => say(&text),
     }
