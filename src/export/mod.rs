@@ -3,11 +3,13 @@
 mod cells;
 mod clones;
 mod convex;
+mod flat;
 mod glb;
 mod joints;
 mod obj;
 mod ply;
 mod specimen;
+mod svg;
 mod tiling;
 
 pub use cells::write_cells;
@@ -16,4 +18,5 @@ pub use glb::write_glb;
 pub use obj::{write_mtl, write_obj};
 pub use ply::write_ply;
 pub use specimen::{Bare, Coloured, Specimen};
+pub use svg::Pattern;
 pub use tiling::{Facet, Point, Tiling};

@@ -168,6 +168,63 @@ fn an_obj_has_a_material_for_each_type_and_its_colours_beside_it() {
 }
 
 #[test]
+fn an_svg_has_each_leaf_true_to_scale() {
+    use svgtypes::{PathParser, PathSegment};
+    let (path, told) = export("--svg", "plant.svg");
+    let (obj, _) = export("--obj", "of-svg.obj");
+    let (models, _) = tobj::load_obj(&obj, &tobj::LoadOptions::default()).unwrap();
+    let text = fs::read_to_string(path).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let element = |name: &'static str| document.descendants().filter(move |n| n.has_tag_name(name));
+    assert!(element("desc").next().unwrap().text().unwrap().ends_with("croton?v=1&s=4&d=1"));
+    assert_eq!(element("g").count(), 18);
+    assert_eq!(number(&told, "parts"), 18);
+    let box_of: Vec<f64> = element("svg")
+        .next()
+        .unwrap()
+        .attribute("viewBox")
+        .unwrap()
+        .split(' ')
+        .map(|x| x.parse().unwrap())
+        .collect();
+    let mut mm2 = [0.0; 2];
+    for path in element("path") {
+        let kind = "FB".find(path.attribute("id").unwrap().chars().last().unwrap()).unwrap();
+        let colour = ["#e8c83a", "#1f5a2a"][kind];
+        assert_eq!(path.attribute("fill"), Some(colour));
+        // Outer outlines run one way and holes the other.
+        let (mut first, mut last, mut twice) = ([0.0; 2], [0.0; 2], 0.0);
+        for segment in PathParser::from(path.attribute("d").unwrap()) {
+            let to = match segment.unwrap() {
+                PathSegment::MoveTo { x, y, .. } => {
+                    (first, last) = ([x, y], [x, y]);
+                    [x, y]
+                }
+                PathSegment::LineTo { x, y, .. } => [x, y],
+                PathSegment::ClosePath { .. } => first,
+                other => panic!("{other:?}"),
+            };
+            assert!(to[0] > 0.0 && to[1] > 0.0 && to[0] < box_of[2] && to[1] < box_of[3]);
+            twice += last[0] * to[1] - last[1] * to[0];
+            last = to;
+        }
+        mm2[kind] += twice.abs() / 2.0;
+    }
+    let mut cm2 = [0.0; 2];
+    for mesh in models.iter().filter(|m| m.name.starts_with("part_")).map(|m| &m.mesh) {
+        for t in mesh.indices.as_chunks::<3>().0 {
+            let corner =
+                |v: u32| std::array::from_fn(|k| f64::from(mesh.positions[3 * v as usize + k]));
+            cm2[mesh.material_id.unwrap()] += area(t.map(corner));
+        }
+    }
+    for kind in [0, 1] {
+        let share = mm2[kind] / (100.0 * cm2[kind]);
+        assert!((share - 1.0).abs() < 0.03, "{mm2:?} mm2 of {cm2:?} cm2");
+    }
+}
+
+#[test]
 fn clones_are_the_cells_by_their_founders() {
     let (clones, told) = export("--clones", "clones.csv");
     let (cells, _) = export("--cells", "cells.csv");
@@ -226,6 +283,7 @@ fn what_cannot_be_exported_is_refused_on_one_line() {
         (&["export", "--individual", "-1", "--glb", &file], "--individual"),
         (&["export", "--glb", &nowhere], "folder.glb"),
         (&["export", "--glb", folder], folder),
+        (&["export", "--preset", "watermelon", "--day", "0", "--svg", &file], "it is closed"),
         (&["export", "--obj", &twice], "beside it"),
         (&["export", "--obj", "/dev/null"], "beside it"),
     ] {

@@ -192,8 +192,17 @@ fn help_and_version_are_there() {
     let figures =
         ["--figure", "--individuals", "--threads", "--shard", "--merge", "--csv", "--json"];
     let sweep = ["--link", "--preset", "--day", "--vary", "df=4..12:5", "--individuals", "--shard"];
-    let export =
-        ["--link", "--preset", "--individual", "--day", "--glb", "--ply", "--obj", "--clones"];
+    let export = [
+        "--link",
+        "--preset",
+        "--individual",
+        "--day",
+        "--glb",
+        "--ply",
+        "--obj",
+        "--svg",
+        "--clones",
+    ];
     let all = ["grow", "figures", "sweep", "export", "bench", "Exit status"];
     for (arguments, words) in [
         (&["--help"][..], &all[..]),

@@ -4,7 +4,7 @@ use super::options::{ExportOptions, Kind};
 use super::output::{Target, say, warn};
 use super::{Refusal, cores, memory, progress, subject};
 use clonal_mosaic::export::{
-    Specimen, write_cells, write_clones, write_glb, write_mtl, write_obj, write_ply,
+    Pattern, Specimen, write_cells, write_clones, write_glb, write_mtl, write_obj, write_ply,
 };
 use clonal_mosaic::plants::Show;
 use clonal_mosaic::play::{Scene, link};
@@ -47,20 +47,24 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
             })?;
             format!("{clones} clones, {bytes} bytes")
         }
-        Kind::Glb | Kind::Ply | Kind::Obj => {
+        Kind::Glb | Kind::Ply | Kind::Obj | Kind::Svg => {
             let (body, controls) = ((&*mesh, &ornaments[..]), scene.plant.controls());
             let shown = Scene { day: day as u32, show: Show::Cells, ..scene.clone() };
             let link = link::write(&shown);
             let specimen = Specimen::new(body, &scene.look, &controls, (&diary, day), link);
-            let bytes = match (kind, materials) {
-                (Kind::Glb, _) => fill(target, |out| write_glb(&specimen, out))?,
-                (_, Some((name, beside))) => {
-                    let bytes = fill(beside, |out| write_mtl(&specimen, out))?;
-                    bytes + fill(target, |out| write_obj(&specimen, &name, out))?
-                }
-                _ => fill(target, |out| write_ply(&specimen, out))?,
-            };
-            format!("{} triangles, {bytes} bytes", specimen.triangle_count())
+            if kind == Kind::Svg {
+                write_svg(&specimen, target)?
+            } else {
+                let bytes = match (kind, materials) {
+                    (Kind::Glb, _) => fill(target, |out| write_glb(&specimen, out))?,
+                    (_, Some((name, beside))) => {
+                        let bytes = fill(beside, |out| write_mtl(&specimen, out))?;
+                        bytes + fill(target, |out| write_obj(&specimen, &name, out))?
+                    }
+                    _ => fill(target, |out| write_ply(&specimen, out))?,
+                };
+                format!("{} triangles, {bytes} bytes", specimen.triangle_count())
+            }
         }
     };
     drop(seen);
@@ -72,6 +76,24 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
     // Where the plant itself goes to the standard output, nothing else may.
     warn(&line);
     Ok(())
+}
+
+/// Writes what can be laid flat; what is told of it.
+fn write_svg(specimen: &Specimen, target: Target) -> Result<String, Refusal> {
+    let pattern = Pattern::new(specimen);
+    let mut why: Vec<&str> = pattern.left_out.iter().map(|(_, why)| why.as_str()).collect();
+    why.dedup();
+    if pattern.count() == 0 {
+        return Err(format!("nothing of this plant can be laid flat: {}", why.join("; ")));
+    }
+    let bytes = fill(target, |out| pattern.write(specimen, out))?;
+    let (sheets, stretch) = (pattern.count(), 100.0 * pattern.stretch);
+    let left_out = match pattern.left_out.len() {
+        0 => String::new(),
+        parts => format!("; without {parts} that cannot be laid flat: {}", why.join("; ")),
+    };
+    let word = if sheets == 1 { "part" } else { "parts" };
+    Ok(format!("{sheets} {word}, stretched by {stretch:.1} %, {bytes} bytes{left_out}"))
 }
 
 /// Grows a scene to its day, or to the last one that there is room for; its diary and that day.

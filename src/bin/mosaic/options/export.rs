@@ -42,6 +42,9 @@ struct Wanted {
     /// The plant as OBJ with one material a type; OUT.mtl is written beside it
     #[arg(long, value_name = "OUT.obj")]
     obj: Option<PathBuf>,
+    /// Its leaves laid flat, true to scale, as SVG: one path for each type on each leaf
+    #[arg(long, value_name = "OUT.svg")]
+    svg: Option<PathBuf>,
     /// Its clones as a table: founder,type,born_day,cells,F,B,M,area_cm2,part
     #[arg(long, value_name = "OUT.csv")]
     clones: Option<PathBuf>,
@@ -56,12 +59,14 @@ pub enum Kind {
     Glb,
     Ply,
     Obj,
+    Svg,
     Clones,
     Cells,
 }
 
 impl Kind {
-    pub const ALL: [Kind; 5] = [Kind::Glb, Kind::Ply, Kind::Obj, Kind::Clones, Kind::Cells];
+    pub const ALL: [Kind; 6] =
+        [Kind::Glb, Kind::Ply, Kind::Obj, Kind::Svg, Kind::Clones, Kind::Cells];
 
     /// Its word on the command line.
     pub fn word(self) -> &'static str {
@@ -69,6 +74,7 @@ impl Kind {
             Kind::Glb => "glb",
             Kind::Ply => "ply",
             Kind::Obj => "obj",
+            Kind::Svg => "svg",
             Kind::Clones => "clones",
             Kind::Cells => "cells",
         }
@@ -89,11 +95,12 @@ impl ExportOptions {
     }
 
     fn path(&self, kind: Kind) -> Option<&Path> {
-        let Wanted { glb, ply, obj, clones, cells } = &self.wanted;
+        let Wanted { glb, ply, obj, svg, clones, cells } = &self.wanted;
         let path = match kind {
             Kind::Glb => glb,
             Kind::Ply => ply,
             Kind::Obj => obj,
+            Kind::Svg => svg,
             Kind::Clones => clones,
             Kind::Cells => cells,
         };
