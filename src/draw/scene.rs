@@ -1,7 +1,7 @@
 //! The numbers of a frame as the shaders read them.
 
 use super::{Frame, geometry::Bounds};
-use crate::plants::{Diagram, Look};
+use crate::plants::{Diagram, Look, linear};
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
@@ -20,9 +20,6 @@ const LAMP: f32 = 0.12;
 /// picture's height: a breath.
 const LENS: f32 = 0.002;
 const GOLDEN_ANGLE_RAD: f32 = 2.399_963_2;
-
-/// Colour and gloss of a bare material that the look does not name.
-const PLAIN: ([f32; 3], f32) = ([0.55, 0.53, 0.50], 0.1);
 
 /// `Scene` in `scene.wgsl`.
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -65,8 +62,7 @@ impl Scene {
         self.skin = Vec4::new(look.skin.wax, look.skin.unevenness, 0.0, 0.0);
         self.tissue.z = look.skin.through;
         for (bare, name) in self.bare.iter_mut().zip(materials) {
-            let named = look.bare.iter().find(|(n, ..)| n == name);
-            let (colour, gloss) = named.map_or(PLAIN, |&(_, colour, gloss)| (colour, gloss));
+            let (colour, gloss) = look.of_bare(name);
             *bare = linear(colour).extend(gloss);
         }
     }
@@ -136,13 +132,6 @@ fn light_projection(bounds: &Bounds, key: Vec3) -> Mat4 {
 
 fn flag(on: bool) -> f32 {
     if on { 1.0 } else { 0.0 }
-}
-
-/// sRGB numbers to linear light (IEC 61966-2-1).
-fn linear(srgb: [f32; 3]) -> Vec3 {
-    Vec3::from(
-        srgb.map(|c| if c <= 0.04045 { c / 12.92 } else { libm::powf((c + 0.055) / 1.055, 2.4) }),
-    )
 }
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 use super::lookout::Lookout;
 use super::near::{Near, SortedCells};
 use super::picked::{Home, Picked};
-use super::sites::{FARTHEST_STEPS, Head, MOST_TINT, Site, SiteLists, Tag};
+use super::shades::{lightness, tints};
+use super::sites::{FARTHEST_STEPS, Head, Site, SiteLists, Tag};
 use crate::surface::{Charts, Frame, Mesh};
 use crate::tissue::{Control, Diary, Rim};
 use glam::Vec2;
@@ -95,11 +96,7 @@ impl SiteFinder {
         self.number_of.clear();
         self.number_of.resize(diary.days[day].places.len(), (u32::MAX, 0));
         self.tints.clear();
-        for (cell, &place) in diary.days[day].places.iter().enumerate() {
-            let kind = diary.lineage[cell].kind;
-            let tints = self.controls.iter().map(|control| control.tint(mesh, place, kind));
-            self.tints.push(tint(cell as u32, tints.fold(0.0, f32::max)));
-        }
+        self.tints.extend(tints(mesh, &self.controls, diary, day));
         let mut lists =
             SiteLists { heads: Vec::with_capacity(mesh.triangles.len()), sites: Vec::new() };
         let sparse = if day == 0 { SPARSE_ON_DAY_0 } else { SPARSE_LATER };
@@ -195,7 +192,7 @@ impl SiteFinder {
                 is_newborn: site.cell >= born_before,
                 number: number.1,
                 tint: self.tints[site.cell as usize],
-                lightness: scatter(site.cell) >> 28,
+                lightness: lightness(site.cell),
             };
             let steps = |place: Vec2| (place - centroid) / scale_cm;
             lists.sites.push(Site::new(steps(site.now), steps(site.before), tag));
@@ -208,19 +205,4 @@ impl SiteFinder {
         }
         lists.heads.push(Head { first: first as u32, count, scale_cm, unused: 0 });
     }
-}
-
-/// The tint of a cell where so much is asked for, 0 to 1: one of the two steps around it, each so often
-/// that they mean what is asked for. Steps all at one place would be seen as a line.
-fn tint(cell: u32, asked: f32) -> u32 {
-    let chance = (scatter(cell) & 0xffff) as f32 / 65_536.0;
-    (asked * MOST_TINT as f32 + chance) as u32
-}
-
-/// A number that belongs to the cell (the finaliser of MurmurHash3, Appleby 2011).
-fn scatter(cell: u32) -> u32 {
-    let mut bits = cell.wrapping_mul(0x9e37_79b1).wrapping_add(0x7f4a_7c15);
-    bits = (bits ^ (bits >> 16)).wrapping_mul(0x85eb_ca6b);
-    bits = (bits ^ (bits >> 13)).wrapping_mul(0xc2b2_ae35);
-    bits ^ (bits >> 16)
 }

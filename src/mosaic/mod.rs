@@ -6,9 +6,11 @@ mod near;
 mod pattern;
 mod picked;
 mod polygons;
+mod shades;
 mod sites;
 
 pub use finder::SiteFinder;
 pub use pattern::{Pattern, neighbours};
-pub use polygons::{Piece, polygons};
+pub use polygons::{Across, Piece, polygons};
+pub use shades::{lightness, tints};
 pub use sites::{Head, MOST_TINT, Site, SiteLists, Tag};

@@ -44,7 +44,7 @@ impl Pattern {
 pub fn neighbours(pieces: &[Piece]) -> Vec<[u32; 2]> {
     let borders = pieces
         .iter()
-        .flat_map(|piece| piece.across.iter().flatten().map(|&across| (piece.cell, across)));
+        .flat_map(|piece| piece.across.iter().filter_map(|side| Some((piece.cell, side.cell()?))));
     let mut pairs: Vec<[u32; 2]> =
         // Where the surface bends much a cell may meet itself.
         borders.filter(|(a, b)| a != b).map(|(a, b)| [a.min(b), a.max(b)]).collect();

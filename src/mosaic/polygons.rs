@@ -13,9 +13,26 @@ pub struct Piece {
     pub cell: u32,
     /// Corners of a convex polygon in the triangle's frame, counter-clockwise, in centimetres.
     pub corners: Vec<Vec2>,
-    /// For each side, from its corner to the next one, the cell on its other side; nobody where the
-    /// triangle ends.
-    pub across: Vec<Option<u32>>,
+    /// For each side, from its corner to the next one, what is on its other side.
+    pub across: Vec<Across>,
+}
+
+/// What is on the other side of a side of a piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Across {
+    Cell(u32),
+    /// The triangle ends, at its edge opposite this corner.
+    Edge(u8),
+}
+
+impl Across {
+    /// The cell, if it is one.
+    pub fn cell(self) -> Option<u32> {
+        match self {
+            Across::Cell(cell) => Some(cell),
+            Across::Edge(_) => None,
+        }
+    }
 }
 
 impl Piece {
@@ -108,7 +125,9 @@ fn cut(frame: &Frame, triangle: u32, sites: &[Site]) -> Vec<Piece> {
         .vertices()
         .filter_map(|vertex| {
             let own = vertex.data().point;
-            let mut sides = frame.corners().map(|corner| (corner, None)).to_vec();
+            let [a, b, c] = frame.corners();
+            let edge = Across::Edge;
+            let mut sides = vec![(a, edge(2)), (b, edge(0)), (c, edge(1))];
             for edge in vertex.out_edges() {
                 sides = nearer(&sides, own, edge.to().data());
                 if sides.is_empty() {
@@ -121,8 +140,8 @@ fn cut(frame: &Frame, triangle: u32, sites: &[Site]) -> Vec<Piece> {
         .collect()
 }
 
-/// The corner that a side of a polygon leaves, and the cell across that side.
-type Side = (Vec2, Option<u32>);
+/// The corner that a side of a polygon leaves, and what is across that side.
+type Side = (Vec2, Across);
 
 /// The part of a convex polygon that is nearer to `own` than to `other` (Sutherland-Hodgman).
 fn nearer(sides: &[Side], own: Vec2, other: &Site) -> Vec<Side> {
@@ -136,7 +155,7 @@ fn nearer(sides: &[Side], own: Vec2, other: &Site) -> Vec<Side> {
         if before >= 0.0 {
             kept.push((from, across));
             if after < 0.0 {
-                kept.push((crossing(), Some(other.cell)));
+                kept.push((crossing(), Across::Cell(other.cell)));
             }
         } else if after >= 0.0 {
             kept.push((crossing(), across));

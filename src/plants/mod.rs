@@ -42,7 +42,7 @@ pub use diagram::{Diagram, Layer};
 pub use document::PlantError;
 use document::{List, Text, kept, kept_list, kept_text, kept_texts};
 pub use guides::{GuideVector, Guides};
-pub use look::{Look, Skin};
+pub use look::{Look, Skin, linear, srgb};
 use paint::Paint;
 use serde::{Deserialize, Serialize};
 pub use shape::{Growths, Levels, Shape};

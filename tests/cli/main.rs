@@ -1,5 +1,6 @@
 //! The command line as its user meets it.
 
+mod exports;
 mod plants;
 mod sweeps;
 
@@ -192,7 +193,18 @@ fn help_and_version_are_there() {
     let figures =
         ["--figure", "--individuals", "--threads", "--shard", "--merge", "--csv", "--json"];
     let sweep = ["--link", "--preset", "--day", "--vary", "df=4..12:5", "--individuals", "--shard"];
-    let all = ["grow", "figures", "sweep", "bench", "Exit status"];
+    let export = [
+        "--link",
+        "--preset",
+        "--individual",
+        "--day",
+        "--glb",
+        "--ply",
+        "--obj",
+        "--svg",
+        "--clones",
+    ];
+    let all = ["grow", "figures", "sweep", "export", "bench", "Exit status"];
     for (arguments, words) in [
         (&["--help"][..], &all[..]),
         (&["help"], &all),
@@ -201,6 +213,7 @@ fn help_and_version_are_there() {
         (&["help", "grow"], &grow),
         (&["figures", "--help"], &figures),
         (&["sweep", "--help"], &sweep),
+        (&["export", "--help"], &export),
         (&["bench", "--help"], &["--runs"]),
     ] {
         let help = succeed(arguments);

@@ -15,6 +15,7 @@ mod population;
 mod recipes;
 mod scaling;
 mod texts;
+mod tiling;
 mod walking;
 
 use clonal_mosaic::surface::{DirectionField, Mesh};

@@ -1,6 +1,7 @@
 //! The playground's engine from a shell.
 
 mod bench;
+mod export;
 mod figures;
 mod grow;
 mod individuals;
@@ -48,6 +49,7 @@ fn run() -> Result<(), Refusal> {
         Asked::For(Command::Plant(options)) => {
             say(&(subject::plant(&options.name)?.to_json() + "\n"))
         }
+        Asked::For(Command::Export(options)) => export::export(&options),
         Asked::For(Command::Bench(options)) => bench::bench(options.runs),
         Asked::Text(text) => say(&text),
     }

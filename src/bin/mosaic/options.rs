@@ -1,10 +1,13 @@
 //! What the command line says.
 
+mod export;
+
 use super::Refusal;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgAction, Args, Parser, Subcommand};
 use clonal_mosaic::plants;
 use clonal_mosaic::surface::quoted;
+pub use export::{ExportOptions, Kind};
 use std::error::Error;
 use std::path::PathBuf;
 
@@ -44,6 +47,12 @@ pub enum Command {
     Sweep(SweepOptions),
     /// A plant as a document: JSON with all that makes it, for mosaic grow --plant
     Plant(PlantNameOptions),
+    /// The plant of a day in a file, for other programs
+    ///
+    /// The plant of a day in a file, for other programs: its mosaic as triangles in the colours that the
+    /// page shows, with its bare parts, or its cells or clones as a table. docs/export.md says more.
+    #[command(verbatim_doc_comment)]
+    Export(ExportOptions),
     /// How fast the engine is on this machine
     Bench(BenchOptions),
 }
@@ -270,7 +279,8 @@ fn refusal(error: &clap::Error) -> Refusal {
     let argument = option(ContextKind::InvalidArg);
     match error.kind() {
         ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            "say what to do: mosaic grow, figures, sweep, plant or bench, or mosaic --help".into()
+            "say what to do: mosaic grow, figures, sweep, export, plant or bench, or mosaic --help"
+                .into()
         }
         ErrorKind::InvalidSubcommand => {
             format!(

@@ -65,6 +65,11 @@ impl Target {
         Ok(Target::Beside { path, beside })
     }
 
+    /// Whether it is no device or pipe.
+    pub fn is_file(&self) -> bool {
+        matches!(self, Target::Beside { .. })
+    }
+
     /// Writes the file.
     pub fn write(
         self,
