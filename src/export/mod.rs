@@ -10,6 +10,7 @@ mod obj;
 mod ply;
 mod specimen;
 mod svg;
+mod tile;
 mod tiling;
 
 pub use cells::write_cells;
@@ -19,4 +20,5 @@ pub use obj::{write_mtl, write_obj};
 pub use ply::write_ply;
 pub use specimen::{Bare, Coloured, Specimen};
 pub use svg::Pattern;
+pub use tile::Tile;
 pub use tiling::{Facet, Point, Tiling};

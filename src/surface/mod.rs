@@ -22,6 +22,7 @@ mod sight;
 mod smooth;
 mod sphere;
 mod stitch;
+mod torus;
 mod walk;
 
 pub use body::{Body, Ornament, SurfaceError};
@@ -37,4 +38,5 @@ pub use packed::unpack;
 pub use patches::{Patch, cut_into_patches};
 pub use quote::quoted;
 pub use sphere::icosphere;
+pub use torus::flat_torus;
 pub use walk::{Step, walk};
