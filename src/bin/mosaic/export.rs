@@ -4,7 +4,8 @@ use super::options::{ExportOptions, Kind};
 use super::output::{Target, say, warn};
 use super::{Refusal, cores, memory, progress, subject};
 use clonal_mosaic::export::{
-    Pattern, Specimen, write_cells, write_clones, write_glb, write_mtl, write_obj, write_ply,
+    Pattern, Specimen, write_3mf, write_cells, write_clones, write_glb, write_mtl, write_obj,
+    write_ply,
 };
 use clonal_mosaic::plants::Show;
 use clonal_mosaic::play::{Scene, link};
@@ -47,23 +48,25 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
             })?;
             format!("{clones} clones, {bytes} bytes")
         }
-        Kind::Glb | Kind::Ply | Kind::Obj | Kind::Svg => {
+        Kind::Glb | Kind::Ply | Kind::Obj | Kind::ThreeMf | Kind::Svg => {
             let (body, controls) = ((&*mesh, &ornaments[..]), scene.plant.controls());
             let shown = Scene { day: day as u32, show: Show::Cells, ..scene.clone() };
             let link = link::write(&shown);
             let specimen = Specimen::new(body, &scene.look, &controls, (&diary, day), link);
-            if kind == Kind::Svg {
-                write_svg(&specimen, target)?
-            } else {
-                let bytes = match (kind, materials) {
-                    (Kind::Glb, _) => fill(target, |out| write_glb(&specimen, out))?,
-                    (_, Some((name, beside))) => {
-                        let bytes = fill(beside, |out| write_mtl(&specimen, out))?;
-                        bytes + fill(target, |out| write_obj(&specimen, &name, out))?
-                    }
-                    _ => fill(target, |out| write_ply(&specimen, out))?,
-                };
-                format!("{} triangles, {bytes} bytes", specimen.triangle_count())
+            match (kind, materials) {
+                (Kind::Svg, _) => write_svg(&specimen, target)?,
+                (Kind::ThreeMf, _) => {
+                    let mut triangles = 0;
+                    let bytes = fill(target, |out| {
+                        triangles = write_3mf(&specimen, out)?;
+                        Ok(())
+                    })?;
+                    format!("{triangles} triangles, {bytes} bytes")
+                }
+                (kind, materials) => {
+                    let bytes = write_model(kind, &specimen, target, materials)?;
+                    format!("{} triangles, {bytes} bytes", specimen.triangle_count())
+                }
             }
         }
     };
@@ -76,6 +79,23 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
     // Where the plant itself goes to the standard output, nothing else may.
     warn(&line);
     Ok(())
+}
+
+/// Writes GLB, OBJ with its materials, or PLY; how many bytes that takes.
+fn write_model(
+    kind: Kind,
+    specimen: &Specimen,
+    target: Target,
+    materials: Option<(String, Target)>,
+) -> Result<u64, Refusal> {
+    match materials {
+        Some((name, beside)) => {
+            let bytes = fill(beside, |out| write_mtl(specimen, out))?;
+            Ok(bytes + fill(target, |out| write_obj(specimen, &name, out))?)
+        }
+        None if kind == Kind::Glb => fill(target, |out| write_glb(specimen, out)),
+        None => fill(target, |out| write_ply(specimen, out)),
+    }
 }
 
 /// Writes what can be laid flat; what is told of it.

@@ -42,6 +42,9 @@ struct Wanted {
     /// The plant as OBJ with one material a type; OUT.mtl is written beside it
     #[arg(long, value_name = "OUT.obj")]
     obj: Option<PathBuf>,
+    /// The plant to be printed in colours: closed bodies, and leaves 1.2 mm thick
+    #[arg(long = "3mf", value_name = "OUT.3mf")]
+    three_mf: Option<PathBuf>,
     /// Its leaves laid flat, true to scale, as SVG: one path for each type on each leaf
     #[arg(long, value_name = "OUT.svg")]
     svg: Option<PathBuf>,
@@ -59,14 +62,15 @@ pub enum Kind {
     Glb,
     Ply,
     Obj,
+    ThreeMf,
     Svg,
     Clones,
     Cells,
 }
 
 impl Kind {
-    pub const ALL: [Kind; 6] =
-        [Kind::Glb, Kind::Ply, Kind::Obj, Kind::Svg, Kind::Clones, Kind::Cells];
+    pub const ALL: [Kind; 7] =
+        [Kind::Glb, Kind::Ply, Kind::Obj, Kind::ThreeMf, Kind::Svg, Kind::Clones, Kind::Cells];
 
     /// Its word on the command line.
     pub fn word(self) -> &'static str {
@@ -74,6 +78,7 @@ impl Kind {
             Kind::Glb => "glb",
             Kind::Ply => "ply",
             Kind::Obj => "obj",
+            Kind::ThreeMf => "3mf",
             Kind::Svg => "svg",
             Kind::Clones => "clones",
             Kind::Cells => "cells",
@@ -95,11 +100,12 @@ impl ExportOptions {
     }
 
     fn path(&self, kind: Kind) -> Option<&Path> {
-        let Wanted { glb, ply, obj, svg, clones, cells } = &self.wanted;
+        let Wanted { glb, ply, obj, three_mf, svg, clones, cells } = &self.wanted;
         let path = match kind {
             Kind::Glb => glb,
             Kind::Ply => ply,
             Kind::Obj => obj,
+            Kind::ThreeMf => three_mf,
             Kind::Svg => svg,
             Kind::Clones => clones,
             Kind::Cells => cells,
