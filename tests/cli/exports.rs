@@ -225,6 +225,58 @@ fn an_svg_has_each_leaf_true_to_scale() {
 }
 
 #[test]
+fn a_3mf_has_closed_bodies_in_the_materials_of_their_types() {
+    for (plant, day) in [("croton", "0"), ("watermelon", "1")] {
+        let path = path(&format!("{plant}.3mf"));
+        let told = succeed(&["export", "--preset", plant, "--day", day, "--3mf", &path]);
+        let mut zip = zip::ZipArchive::new(fs::File::open(&path).unwrap()).unwrap();
+        let names: Vec<String> = zip.file_names().map(str::to_string).collect();
+        assert!(names.iter().any(|name| name == "[Content_Types].xml"), "{names:?}");
+        let mut file = zip.by_name("3D/3dmodel.model").unwrap();
+        let mut text = String::new();
+        // This checks the sum, too.
+        std::io::Read::read_to_string(&mut file, &mut text).unwrap();
+        let document = roxmltree::Document::parse(&text).unwrap();
+        let all = |name: &'static str| document.descendants().filter(move |n| n.has_tag_name(name));
+        let materials: Vec<&str> =
+            all("base").map(|base| base.attribute("name").unwrap()).collect();
+        assert_eq!(materials[..3], ["F", "B", "M"]);
+        let float = |n: roxmltree::Node, key| n.attribute(key).unwrap().parse::<f64>().unwrap();
+        let vertices: Vec<[f64; 3]> =
+            all("vertex").map(|v| ["x", "y", "z"].map(|key| float(v, key))).collect();
+        let mut edges = Vec::new();
+        let (mut mm3, mut mm2) = (0.0, vec![0.0; materials.len()]);
+        for triangle in all("triangle") {
+            let corners = ["v1", "v2", "v3"].map(|key| float(triangle, key) as usize);
+            for k in 0..3 {
+                let (a, b) = (corners[k], corners[(k + 1) % 3]);
+                edges.push((a.min(b), a.max(b), a < b));
+            }
+            let [a, b, c] = corners.map(|v| vertices[v]);
+            mm3 += (0..3)
+                .map(|k| a[k] * (b[(k + 1) % 3] * c[(k + 2) % 3] - b[(k + 2) % 3] * c[(k + 1) % 3]))
+                .sum::<f64>()
+                / 6.0;
+            mm2[float(triangle, "p1") as usize] += area([a, b, c]);
+        }
+        assert_eq!(edges.len(), 3 * number(&told, "triangles"));
+        edges.sort_unstable();
+        let is_closed = edges
+            .chunk_by(|a, b| (a.0, a.1) == (b.0, b.1))
+            .all(|of_one| 2 * of_one.iter().filter(|edge| edge.2).count() == of_one.len());
+        assert!(is_closed, "{plant} has an edge with one side");
+        assert!(mm2[0] > 0.0 && mm2[1] > 0.0 && mm2[2] == 0.0 && mm3 > 0.0, "{mm2:?}, {mm3}");
+        if plant == "watermelon" {
+            // As large as its surface says, and hardly less round than a ball.
+            let ball =
+                |mm2: f64| (mm2 / std::f64::consts::PI).powf(1.5) * std::f64::consts::PI / 6.0;
+            let share = mm3 / ball(mm2[0] + mm2[1]);
+            assert!((0.9..1.0).contains(&share), "{share}");
+        }
+    }
+}
+
+#[test]
 fn clones_are_the_cells_by_their_founders() {
     let (clones, told) = export("--clones", "clones.csv");
     let (cells, _) = export("--cells", "cells.csv");

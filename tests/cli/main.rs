@@ -3,6 +3,7 @@
 mod exports;
 mod plants;
 mod sweeps;
+mod tiles;
 
 use serde_json::Value;
 use std::path::PathBuf;

@@ -4,12 +4,13 @@ use super::options::{ExportOptions, Kind};
 use super::output::{Target, say, warn};
 use super::{Refusal, cores, memory, progress, subject};
 use clonal_mosaic::export::{
-    Pattern, Specimen, write_cells, write_clones, write_glb, write_mtl, write_obj, write_ply,
+    Pattern, Specimen, Tile, write_3mf, write_cells, write_clones, write_glb, write_mtl, write_obj,
+    write_ply,
 };
-use clonal_mosaic::plants::Show;
+use clonal_mosaic::plants::{self, Show};
 use clonal_mosaic::play::{Scene, link};
-use clonal_mosaic::surface::{Body, Mesh};
-use clonal_mosaic::tissue::{Diary, Progress};
+use clonal_mosaic::surface::{Body, Mesh, flat_torus};
+use clonal_mosaic::tissue::{Diary, Growth, Progress};
 use glam::DVec3;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
@@ -30,8 +31,8 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
     let is_file = target.is_file();
 
     let Body { surface, ornaments } = scene.plant.embedded_body();
-    let mesh = Arc::new(surface);
-    let (diary, day) = grow(&scene, &mesh)?;
+    let mesh = Arc::new(if kind == Kind::Tile { ground_of_tile(&scene)? } else { surface });
+    let (diary, day) = grow(&scene, &mesh, kind == Kind::Tile)?;
     let seen = progress::Progress::new();
     seen.tell("writing");
     let written = match kind {
@@ -47,23 +48,36 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
             })?;
             format!("{clones} clones, {bytes} bytes")
         }
-        Kind::Glb | Kind::Ply | Kind::Obj | Kind::Svg => {
+        Kind::Tile => {
+            let tile = Tile::new(&mesh, TILE_SIDE_CM, &scene.look, &diary, day);
+            format!("{TILE_PX} pixels wide, {} bytes", fill(target, |out| write_png(&tile, out))?)
+        }
+        Kind::Glb | Kind::Ply | Kind::Obj | Kind::ThreeMf | Kind::Svg => {
             let (body, controls) = ((&*mesh, &ornaments[..]), scene.plant.controls());
             let shown = Scene { day: day as u32, show: Show::Cells, ..scene.clone() };
-            let link = link::write(&shown);
-            let specimen = Specimen::new(body, &scene.look, &controls, (&diary, day), link);
-            if kind == Kind::Svg {
-                write_svg(&specimen, target)?
+            let link = if plants::find(scene.plant.key).is_some_and(|own| own == scene.plant) {
+                link::write(&shown)
             } else {
-                let bytes = match (kind, materials) {
-                    (Kind::Glb, _) => fill(target, |out| write_glb(&specimen, out))?,
-                    (_, Some((name, beside))) => {
-                        let bytes = fill(beside, |out| write_mtl(&specimen, out))?;
-                        bytes + fill(target, |out| write_obj(&specimen, &name, out))?
-                    }
-                    _ => fill(target, |out| write_ply(&specimen, out))?,
-                };
-                format!("{} triangles, {bytes} bytes", specimen.triangle_count())
+                format!(
+                    "plant document {}, individual {}, day {day}",
+                    scene.plant.key, scene.individual
+                )
+            };
+            let specimen = Specimen::new(body, &scene.look, &controls, (&diary, day), link);
+            match (kind, materials) {
+                (Kind::Svg, _) => write_svg(&specimen, target)?,
+                (Kind::ThreeMf, _) => {
+                    let mut triangles = 0;
+                    let bytes = fill(target, |out| {
+                        triangles = write_3mf(&specimen, out)?;
+                        Ok(())
+                    })?;
+                    format!("{triangles} triangles, {bytes} bytes")
+                }
+                (kind, materials) => {
+                    let bytes = write_model(kind, &specimen, target, materials)?;
+                    format!("{} triangles, {bytes} bytes", specimen.triangle_count())
+                }
             }
         }
     };
@@ -76,6 +90,55 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
     // Where the plant itself goes to the standard output, nothing else may.
     warn(&line);
     Ok(())
+}
+
+/// The reach of the cells goes by their number, so it is no matter how large the square is.
+const TILE_SIDE_CM: f32 = 16.0;
+const TILE_PX: u32 = 2048;
+/// Squares of the torus along its side: as many triangles as plants have.
+const TILE_SQUARES: u32 = 48;
+/// With fewer, cells would be neighbours of themselves, the long way around.
+const FEWEST_OF_TILE: u32 = 500;
+
+/// The torus that a tile grows on, if it can be one.
+fn ground_of_tile(scene: &Scene) -> Result<Mesh, Refusal> {
+    let recipe = &scene.recipe;
+    if scene.noise {
+        return Err("a tile shows clones: noise does not go on over its border".to_string());
+    }
+    // Cells within reach of each other on both ways around.
+    let fewest = FEWEST_OF_TILE.max((64.0 * recipe.radius_scale * recipe.radius_scale) as u32);
+    if recipe.initial_cells < fewest {
+        let cells = recipe.initial_cells;
+        return Err(format!("a tile of this recipe needs {fewest} first cells, not {cells}"));
+    }
+    Ok(flat_torus(TILE_SIDE_CM, TILE_SQUARES))
+}
+
+fn write_png(tile: &Tile, out: &mut Counted) -> io::Result<()> {
+    let mut encoder = png::Encoder::new(out, TILE_PX, TILE_PX);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let mut png = encoder.write_header().map_err(io::Error::other)?;
+    png.write_image_data(&tile.pixels(TILE_PX)).map_err(io::Error::other)
+}
+
+/// Writes GLB, OBJ with its materials, or PLY; how many bytes that takes.
+fn write_model(
+    kind: Kind,
+    specimen: &Specimen,
+    target: Target,
+    materials: Option<(String, Target)>,
+) -> Result<u64, Refusal> {
+    match materials {
+        Some((name, beside)) => {
+            let bytes = fill(beside, |out| write_mtl(specimen, out))?;
+            Ok(bytes + fill(target, |out| write_obj(specimen, &name, out))?)
+        }
+        None if kind == Kind::Glb => fill(target, |out| write_glb(specimen, out)),
+        None => fill(target, |out| write_ply(specimen, out)),
+    }
 }
 
 /// Writes what can be laid flat; what is told of it.
@@ -96,12 +159,18 @@ fn write_svg(specimen: &Specimen, target: Target) -> Result<String, Refusal> {
     Ok(format!("{sheets} {word}, stretched by {stretch:.1} %, {bytes} bytes{left_out}"))
 }
 
-/// Grows a scene to its day, or to the last one that there is room for; its diary and that day.
-fn grow(scene: &Scene, mesh: &Arc<Mesh>) -> Result<(Diary, usize), Refusal> {
+/// Grows a scene to its day, or to the last one that there is room for; its diary and that day. Control
+/// images and direction fields lie on bodies: as a tile it grows without.
+fn grow(scene: &Scene, mesh: &Arc<Mesh>, as_tile: bool) -> Result<(Diary, usize), Refusal> {
     let mut scene = scene.clone();
     scene.recipe.days = scene.day;
     memory::check(&scene.recipe)?;
-    let (growth, noise) = scene.sow(mesh.clone()).map_err(|e| e.to_string())?;
+    let (growth, noise) = if as_tile {
+        let growth = Growth::new(mesh.clone(), scene.recipe.clone(), &[], scene.individual);
+        (growth.map_err(|e| e.to_string())?, None)
+    } else {
+        scene.sow(mesh.clone()).map_err(|e| e.to_string())?
+    };
     let mut growth = growth.on_threads(cores());
     let seen = progress::Progress::new();
     loop {

@@ -42,15 +42,16 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Refusal> {
-    match options::read()? {
-        Asked::For(Command::Grow(options)) => grow::grow(&options),
-        Asked::For(Command::Figures(options)) => figures::figures(&options),
-        Asked::For(Command::Sweep(options)) => sweep::sweep(&options),
-        Asked::For(Command::Plant(options)) => {
-            say(&(subject::plant(&options.name)?.to_json() + "\n"))
-        }
-        Asked::For(Command::Export(options)) => export::export(&options),
-        Asked::For(Command::Bench(options)) => bench::bench(options.runs),
-        Asked::Text(text) => say(&text),
+    let command = match options::read()? {
+        Asked::For(command) => command,
+        Asked::Text(text) => return say(&text),
+    };
+    match *command {
+        Command::Grow(options) => grow::grow(&options),
+        Command::Figures(options) => figures::figures(&options),
+        Command::Sweep(options) => sweep::sweep(&options),
+        Command::Export(options) => export::export(&options),
+        Command::Plant(options) => say(&(subject::plant(&options.name)?.to_json() + "\n")),
+        Command::Bench(options) => bench::bench(options.runs),
     }
 }

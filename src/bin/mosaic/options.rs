@@ -247,7 +247,7 @@ pub struct BenchOptions {
 
 /// What a command line asks for.
 pub enum Asked {
-    For(Command),
+    For(Box<Command>),
     /// Help or the version.
     Text(String),
 }
@@ -255,7 +255,7 @@ pub enum Asked {
 /// Reads the command line of this process.
 pub fn read() -> Result<Asked, Refusal> {
     match CommandLine::try_parse() {
-        Ok(line) => Ok(Asked::For(line.command)),
+        Ok(line) => Ok(Asked::For(Box::new(line.command))),
         Err(error) => match error.kind() {
             ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
                 Ok(Asked::Text(error.render().to_string()))

@@ -63,7 +63,7 @@ pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
         Source::Preset(name) => of_plant(plant(name)?),
         Source::Link(text) => of_link(text)?,
         Source::Recipe(path) => of_recipe(path, options.mesh.is_none())?,
-        Source::Plant(path) => of_document(path)?,
+        Source::Plant(path) => of_plant(of_document(path)?),
     };
     let is_document = matches!(options.source(), Source::Plant(_));
     let day = options.day.unwrap_or(day);
@@ -106,7 +106,14 @@ pub fn scene(source: Source, day: Option<u32>) -> Result<Scene, Refusal> {
             let plant = plant(name)?;
             Scene { day: plant.recipe.days, ..Scene::preset(plant, FIRST_INDIVIDUAL) }
         }
-        Source::Recipe(_) | Source::Plant(_) => unreachable!("a scene is a plant of the catalogue"),
+        Source::Plant(path) => {
+            let plant = of_document(path)?;
+            plant
+                .check_on(&Arc::new(plant.embedded_body().surface))
+                .map_err(|e| of_file(path, &e))?;
+            Scene { day: plant.recipe.days, ..Scene::preset(plant, FIRST_INDIVIDUAL) }
+        }
+        Source::Recipe(_) => unreachable!("a scene is a plant's"),
     };
     scene.day = day.unwrap_or(scene.day);
     if scene.day > scene.recipe.days {
@@ -154,9 +161,9 @@ fn of_recipe(path: &Path, on_first_plant: bool) -> Result<Wish, Refusal> {
 }
 
 /// A plant that was read lives as long as the program, as those of the catalogue do.
-fn of_document(path: &Path) -> Result<Wish, Refusal> {
+fn of_document(path: &Path) -> Result<&'static Plant, Refusal> {
     let plant = Plant::from_json(&read(path)?).map_err(|e| of_file(path, &e))?;
-    Ok(of_plant(Box::leak(Box::new(plant))))
+    Ok(Box::leak(Box::new(plant)))
 }
 
 pub fn plant(name: &str) -> Result<&'static Plant, Refusal> {

@@ -27,6 +27,9 @@ struct ExportSource {
     link: Option<String>,
     #[arg(long, value_name = "NAME", help = presets())]
     preset: Option<String>,
+    /// A plant as mosaic plant prints it
+    #[arg(long, value_name = "FILE.json")]
+    plant: Option<PathBuf>,
 }
 
 /// What to write, and where.
@@ -42,9 +45,15 @@ struct Wanted {
     /// The plant as OBJ with one material a type; OUT.mtl is written beside it
     #[arg(long, value_name = "OUT.obj")]
     obj: Option<PathBuf>,
+    /// The plant to be printed in colours: closed bodies, and leaves 1.2 mm thick
+    #[arg(long = "3mf", value_name = "OUT.3mf")]
+    three_mf: Option<PathBuf>,
     /// Its leaves laid flat, true to scale, as SVG: one path for each type on each leaf
     #[arg(long, value_name = "OUT.svg")]
     svg: Option<PathBuf>,
+    /// Its cells on a flat square that can be laid side by side without a seam, as PNG, 2048 pixels wide
+    #[arg(long, value_name = "OUT.png")]
+    tile: Option<PathBuf>,
     /// Its clones as a table: founder,type,born_day,cells,F,B,M,area_cm2,part
     #[arg(long, value_name = "OUT.csv")]
     clones: Option<PathBuf>,
@@ -59,14 +68,24 @@ pub enum Kind {
     Glb,
     Ply,
     Obj,
+    ThreeMf,
     Svg,
+    Tile,
     Clones,
     Cells,
 }
 
 impl Kind {
-    pub const ALL: [Kind; 6] =
-        [Kind::Glb, Kind::Ply, Kind::Obj, Kind::Svg, Kind::Clones, Kind::Cells];
+    pub const ALL: [Kind; 8] = [
+        Kind::Glb,
+        Kind::Ply,
+        Kind::Obj,
+        Kind::ThreeMf,
+        Kind::Svg,
+        Kind::Tile,
+        Kind::Clones,
+        Kind::Cells,
+    ];
 
     /// Its word on the command line.
     pub fn word(self) -> &'static str {
@@ -74,7 +93,9 @@ impl Kind {
             Kind::Glb => "glb",
             Kind::Ply => "ply",
             Kind::Obj => "obj",
+            Kind::ThreeMf => "3mf",
             Kind::Svg => "svg",
+            Kind::Tile => "tile",
             Kind::Clones => "clones",
             Kind::Cells => "cells",
         }
@@ -85,6 +106,7 @@ impl ExportOptions {
     pub fn source(&self) -> Source<'_> {
         match &self.source {
             ExportSource { link: Some(text), .. } => Source::Link(text),
+            ExportSource { plant: Some(path), .. } => Source::Plant(path),
             ExportSource { preset, .. } => Source::Preset(preset.as_deref().unwrap_or(FIRST_PLANT)),
         }
     }
@@ -95,12 +117,14 @@ impl ExportOptions {
     }
 
     fn path(&self, kind: Kind) -> Option<&Path> {
-        let Wanted { glb, ply, obj, svg, clones, cells } = &self.wanted;
+        let Wanted { glb, ply, obj, three_mf, svg, tile, clones, cells } = &self.wanted;
         let path = match kind {
             Kind::Glb => glb,
             Kind::Ply => ply,
             Kind::Obj => obj,
+            Kind::ThreeMf => three_mf,
             Kind::Svg => svg,
+            Kind::Tile => tile,
             Kind::Clones => clones,
             Kind::Cells => cells,
         };
