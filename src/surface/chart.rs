@@ -316,3 +316,24 @@ impl Disc {
         (length(arm - edge * along) - self.radius).max(0.0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn however_far_a_chart_reaches_around_a_body_it_has_two_images_of_a_triangle_at_most() {
+        let mesh = crate::surface::icosphere(1, 1.0);
+        let mut charts = Charts::new(&mesh);
+        let mut most = 0;
+        for home in 0..mesh.triangles.len() as u32 {
+            let images = charts.around(&mesh, home, 12.0);
+            let mut counts = vec![0; mesh.triangles.len()];
+            images.iter().for_each(|image| counts[image.triangle as usize] += 1);
+            assert_eq!((images[0].triangle, counts[home as usize]), (home, 1));
+            assert!(counts.iter().all(|&count| count > 0), "all are within reach");
+            most = most.max(*counts.iter().max().unwrap());
+        }
+        assert_eq!(most, 2);
+    }
+}

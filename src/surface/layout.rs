@@ -306,3 +306,47 @@ fn unfold(mesh: &Mesh, twin: usize, left: Vec2, right: Vec2) -> [Vec2; 3] {
         left + Vec2::new(turn.x * arm.x - turn.y * arm.y, turn.y * arm.x + turn.x * arm.y);
     unfolded
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn a_patch_is_flat_as_long_as_its_edges_and_those_within_reach_keep_their_lengths() {
+        const REACH: f32 = 1.5;
+        let mesh = crate::surface::icosphere(4, 10.0);
+        let mut layout = Layout::new(&mesh, REACH, false);
+        let (mut flat, mut bent) = (0, 0);
+        for rim_rad in (30..75).map(|k| 0.01 * k as f32) {
+            let is_own = |&t: &u32| {
+                let centroid = mesh.corners(t).iter().sum::<Vec3>() / 3.0;
+                centroid.z > 10.0 * libm::cosf(rim_rad)
+            };
+            let own: Vec<u32> = (0..mesh.triangles.len() as u32).filter(is_own).collect();
+            let fit = layout.lay_out(&own, false);
+            let mut stretches = Vec::new();
+            for (number, image) in layout.images.iter().enumerate() {
+                let (laid, shape) = (image.laid.corners(), mesh.corners(image.triangle));
+                for (from, to) in [(0, 1), (1, 2), (2, 0)] {
+                    // As far as fitting may have shifted what is within reach.
+                    let reach = REACH * (1.0 + FLAT.most);
+                    if number < own.len()
+                        || layout.outline.is_within(reach, &[laid[from], laid[to]])
+                    {
+                        let was = f64::from(shape[from].distance(shape[to]));
+                        stretches
+                            .push((f64::from(laid[from].distance(laid[to])) / was - 1.0).abs());
+                    }
+                }
+            }
+            let mean = stretches.iter().sum::<f64>() / stretches.len() as f64;
+            let most = stretches.iter().copied().fold(0.0, f64::max);
+            let is_flat = mean <= f64::from(FLAT.mean) && most <= f64::from(FLAT.most);
+            let expected = if is_flat { Fit::Flat } else { Fit::Bent };
+            assert_eq!(fit, expected, "{rim_rad}: stretched by {mean} in the mean, {most} at most");
+            (flat, bent) = (flat + u32::from(is_flat), bent + u32::from(!is_flat));
+        }
+        assert!(flat > 5 && bent > 5, "{flat} flat, {bent} bent");
+    }
+}

@@ -307,6 +307,24 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_triangle_that_has_lost_its_area_is_told() {
+        let square = vec![Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
+        let mesh = Mesh::new(square, Vec::new(), vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+        mesh.check().unwrap();
+        let flattened: [fn(&mut Frame); 4] = [
+            |frame| frame.length = 0.0,
+            |frame| frame.length = f32::NAN,
+            |frame| frame.apex.y = 0.0,
+            |frame| frame.apex.y = -1.0,
+        ];
+        for flatten in flattened {
+            let mut mesh = mesh.clone();
+            flatten(&mut mesh.frames[1]);
+            assert_eq!(mesh.check().unwrap_err(), "triangle 1 has no area");
+        }
+    }
+
+    #[test]
     fn areas_that_an_f32_cannot_hold_are_refused() {
         let tetrahedron = |size: f32| {
             let corners =

@@ -294,6 +294,7 @@ mod tests {
         let named = parse(&text.replace("f 1", "g C:\\m\\\nusemtl a b\\\nmtllib c\\\nf 1"));
         assert_eq!(named.faces, plain.faces);
         assert_eq!((&*named.groups[0].part, &*named.groups[0].material), ("C:\\m\\", "a b\\"));
+        assert_eq!(parse(&text.replace(" 4\n", " 4 \\\n# more\n")), plain, "a line that goes on");
         let third_line = "line 3 of the OBJ file: a number is missing";
         for ends in ["\r", "\r\n", "\n"] {
             assert_eq!(error(&["v 0 0 0", "# b", "v 1"].join(ends)), third_line, "{ends:?}");

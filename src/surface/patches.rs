@@ -248,9 +248,13 @@ mod tests {
     #[test]
     fn every_triangle_is_in_one_patch() {
         let mesh = cap(12, 1.0);
-        for (area, reach, torn_width) in
-            [(2.0, 0.5, 0.0), (20.0, 1.0, 0.0), (1e9, 3.0, 0.0), (1e9, 40.0, 0.25)]
-        {
+        for (area, reach, torn_width) in [
+            (1e-3, 0.5, 0.0),
+            (2.0, 0.5, 0.0),
+            (20.0, 1.0, 0.0),
+            (1e9, 3.0, 0.0),
+            (1e9, 40.0, 0.25),
+        ] {
             let mut all = Vec::new();
             for patch in patches(&mesh, area, reach, torn_width) {
                 let own = patch.images.iter().take(patch.own).map(|image| image.triangle);

@@ -252,6 +252,32 @@ mod tests {
     }
 
     #[test]
+    fn corners_that_repeat_and_faces_without_three_make_no_difference() {
+        let mut repeating = cube();
+        let first = repeating.faces[0].vertices.clone();
+        repeating.faces[0].vertices =
+            first.iter().chain(&first[..1]).flat_map(|&v| [v, v]).collect();
+        for vertices in [vec![0, 0, 1, 1, 0], vec![2, 2], vec![]] {
+            repeating.faces.push(Face { vertices, group: 0 });
+        }
+        assert_eq!(repeating.refined(1), cube().refined(1));
+    }
+
+    #[test]
+    fn the_rim_of_a_sheet_becomes_a_cubic_b_spline() {
+        // An eighth of each neighbour along the rim and six of the vertex; the one within stays in the middle.
+        let finer = sheet(2).refined(1);
+        let places: Vec<[f32; 2]> = finer.positions[..9].iter().map(|p| [p.x, p.z]).collect();
+        let rows = [0.125, 1.0, 1.875].map(|z| [[0.125, z], [1.0, z], [1.875, z]]);
+        let mut expected = rows.concat();
+        // Where the rim is straight it stays.
+        for (k, place) in [(1, [1.0, 0.0]), (3, [0.0, 1.0]), (5, [2.0, 1.0]), (7, [1.0, 2.0])] {
+            expected[k] = place;
+        }
+        assert_eq!(places, expected);
+    }
+
+    #[test]
     fn a_cube_becomes_a_closed_ball() {
         let ball = cube().refined(4);
         assert_eq!(ball.faces.len(), 6 * 4_usize.pow(4));

@@ -113,3 +113,25 @@ fn place(triangle: usize, b: &[f32; 3], change: &[f32; 3]) -> Place {
     let b2 = (b[2] + change[2]).clamp(0.0, 1.0 - b1);
     Place { triangle: triangle as u32, b1, b2 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_edges_that_are_reached_at_the_same_time_the_first_counts() {
+        let (b, change) = ([0.25, 0.25, 0.5], [-0.5, -0.5, 1.0]);
+        assert_eq!(first_exit(&b, &change, NONE), (0, 0.5));
+        assert_eq!(first_exit(&b, &change, 0), (1, 0.5), "never the one just entered");
+        assert_eq!(first_exit(&b, &[0.0; 3], NONE), (NONE, 1.0));
+    }
+
+    #[test]
+    fn what_lies_a_hair_outside_is_put_back_on_the_edge() {
+        let put = |b: [f32; 3], change: [f32; 3]| place(7, &b, &change);
+        let on_edge = |b1, b2| Place { triangle: 7, b1, b2 };
+        assert_eq!(put([0.25, 0.5, 0.25], [-0.375, 0.25, 0.125]), on_edge(0.75, 0.25));
+        assert_eq!(put([0.5, 0.25, 0.25], [0.25, -0.375, 0.125]), on_edge(0.0, 0.375));
+        assert_eq!(put([0.5, 0.25, 0.25], [0.25, 0.125, -0.375]), on_edge(0.375, 0.0));
+    }
+}

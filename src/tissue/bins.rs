@@ -153,3 +153,68 @@ impl Rim {
         [h0.simd_ge(lowest[0]), h1.simd_ge(lowest[1]), h2.simd_ge(lowest[2])]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    /// A triangle and so many cells in it that it is cut as often as is asked for.
+    fn cut(cuts: usize) -> Bins {
+        let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], Vec::new(), vec![[0, 1, 2]]);
+        let bins = Bins::new(&mesh.unwrap(), 3 * cuts * cuts, 3.0);
+        assert_eq!(bins.cuts, cuts);
+        bins
+    }
+
+    #[test]
+    fn bins_are_numbered_strip_by_strip_and_their_points_lie_in_them() {
+        for cuts in [1, 2, 3, 7, MAX_CUTS] {
+            let bins = cut(cuts);
+            assert_eq!(
+                (bins.in_triangle(), bins.of(5)),
+                (cuts * cuts, 5 * cuts * cuts..6 * cuts * cuts)
+            );
+            let mut number = 0;
+            for i in 0..cuts {
+                for j in 0..cuts - i {
+                    let share = 1.0 / cuts as f32;
+                    let (low_1, low_2) = (i as f32 * share, j as f32 * share);
+                    // One that points up, and beside it one that points down, but at the end of its strip.
+                    let points_down = usize::from(i + j + 1 < cuts);
+                    for (bin, at) in (number..=number + points_down).zip([0.0, 1.0]) {
+                        let third = share * (1.0 + at) / 3.0;
+                        let (b1, b2) = bins.centroid(bin);
+                        assert!((b1 - low_1 - third).abs() < 1e-6, "{bin} of {cuts}");
+                        assert!((b2 - low_2 - third).abs() < 1e-6, "{bin} of {cuts}");
+                        // Near each corner, too.
+                        for (c1, c2) in [(at, at), (1.0, 0.0), (0.0, 1.0)] {
+                            let near = |b: f32, low: f32, c: f32| b + 0.98 * (low + share * c - b);
+                            let (b1, b2) = (near(b1, low_1, c1), near(b2, low_2, c2));
+                            assert_eq!(bins.within(b1, b2), bin as u32, "{b1}, {b2} of {cuts}");
+                            let place = Place { triangle: 3, b1, b2 };
+                            assert_eq!(bins.bin(place) as usize, bins.of(3).start + bin);
+                            assert_eq!(bins.triangle_of(bins.bin(place)), (3, bin));
+                        }
+                    }
+                    number += 1 + points_down;
+                }
+            }
+            assert_eq!(number, cuts * cuts);
+        }
+    }
+
+    #[test]
+    fn four_places_have_the_bins_of_each_on_borders_too() {
+        for cuts in [1, 2, 3, 7, 16, MAX_CUTS] {
+            let bins = cut(cuts);
+            for a in 0..=96 {
+                for b in 0..=96 - a {
+                    let (b1, b2) = (a as f32 / 96.0, b as f32 / 96.0);
+                    let four = bins.four_within(f32x4::splat(b1), f32x4::splat(b2));
+                    assert_eq!(four.to_array(), [bins.within(b1, b2); 4], "{b1}, {b2} of {cuts}");
+                }
+            }
+        }
+    }
+}

@@ -112,6 +112,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn words_are_mixed_as_splitmix64_does() {
+        // The first three numbers from state 0 of the reference implementation (S. Vigna, splitmix64.c).
+        const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
+        let mixed = [0, STEP, STEP.wrapping_mul(2)].map(mix);
+        assert_eq!(mixed, [0xe220_a839_7b1d_cdaf, 0x6e78_9e6a_a1b9_65f4, 0x06c4_5d18_8009_454f]);
+    }
+
+    #[test]
     fn draws_hold_their_shares_whatever_was_drawn_before() {
         let mut poisson = Poisson::default();
         for turn in 0..2000 {

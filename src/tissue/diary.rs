@@ -64,3 +64,52 @@ impl Diary {
         (0..6).map(|k| DIGITS[(bits >> (59 - 5 * k)) as usize & 31] as char).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cells_of_a_day_are_counted_by_their_types() {
+        let cell = |kind| Lineage { parent: 0, founder: 0, born_day: 0, kind };
+        let kinds = [CellType::Middle, CellType::Background, CellType::Middle];
+        let day = |cells| Day { places: vec![Place::default(); cells], repulsive_radius: 1.0 };
+        let diary = Diary { lineage: kinds.map(cell).to_vec(), days: vec![day(2), day(3)] };
+        assert_eq!(diary.count(0), DayCount { cells: 2, by_type: [0, 1, 1] });
+        assert_eq!(diary.count(1), DayCount { cells: 3, by_type: [0, 1, 2] });
+    }
+
+    #[test]
+    fn a_fingerprint_is_made_of_all_bits_of_all_cells_of_its_day() {
+        let places = [
+            Place { triangle: 5, b1: 0.125, b2: 0.75 },
+            Place { triangle: 700_000, b1: -0.0, b2: f32::MIN_POSITIVE },
+        ];
+        let cell = |parent, kind| Lineage { parent, founder: 0, born_day: parent, kind };
+        let lineage = vec![cell(0, CellType::Background), cell(0, CellType::Middle)];
+        let day = |places: &[Place]| Day { places: places.to_vec(), repulsive_radius: 1.0 };
+        let diary = Diary { lineage, days: vec![day(&places[..1]), day(&places)] };
+        // Written down a second time: the words as numbers, and what SplitMix64 makes of them.
+        let words: [u128; 4] = [
+            5 * 256 + CellType::Background as u128,
+            0x3e00_0000 * (1 << 32) + 0x3f40_0000,
+            700_000 * 256 + CellType::Middle as u128,
+            0x8000_0000 * (1 << 32) + 0x0080_0000,
+        ];
+        let splitmix = |state: u128| {
+            let mut z = (state as u64).wrapping_add(0x9e37_79b9_7f4a_7c15);
+            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            u128::from(z ^ (z >> 31))
+        };
+        let expected = |words: &[u128]| {
+            let turned = |hash: u128| hash * 32 % (1 << 64) + hash * 32 / (1 << 64);
+            let hash = splitmix(words.iter().fold(0, |hash, word| splitmix(turned(hash) ^ word)));
+            let digits: Vec<char> = "0123456789abcdefghjkmnpqrstvwxyz".chars().collect();
+            let places = [59, 54, 49, 44, 39, 34].map(|shift| hash / (1 << shift) % 32);
+            places.iter().map(|&digit| digits[digit as usize]).collect::<String>()
+        };
+        assert_eq!(diary.fingerprint(0), expected(&words[..2]));
+        assert_eq!(diary.fingerprint(1), expected(&words));
+    }
+}

@@ -89,11 +89,10 @@ impl Hands {
         Hands { hands: vec![Hand::default(); threads.max(1)], threads: threads_of_pool }
     }
 
-    /// # Panics
-    /// If there is only one hand.
+    /// The threads of the hands, if so many cells need several: then `relax` is to be called among them.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(super) fn threads(&self) -> &rayon::ThreadPool {
-        self.threads.as_ref().expect("several hands have threads")
+    pub(super) fn threads_for(&self, cells: usize) -> Option<std::sync::Arc<rayon::ThreadPool>> {
+        self.threads.clone().filter(|_| self.needed(cells) > 1)
     }
 
     /// How many there are.
@@ -103,6 +102,17 @@ impl Hands {
 
     pub(super) fn caught_walks(&self) -> u64 {
         self.hands.iter().map(|hand| hand.caught_walks).sum()
+    }
+
+    /// Ranges of so many things, as even as can be, for each hand that there is work for with so many cells.
+    pub(super) fn even_shares(&self, things: usize, cells: usize) -> Vec<Range<usize>> {
+        let hands = self.needed(cells);
+        (0..hands).map(|hand| things * hand / hands..things * (hand + 1) / hands).collect()
+    }
+
+    /// How many hands so many cells are dealt out to.
+    fn needed(&self, cells: usize) -> usize {
+        self.hands.len().min(cells / CELLS_PER_HAND).max(1)
     }
 
     /// Room for all cells of a day.
@@ -137,14 +147,11 @@ impl Hands {
         }
         match works {
             #[cfg(not(target_arch = "wasm32"))]
-            works if works.len() > 1 => {
-                let threads = self.threads.as_ref().expect("several hands have threads");
-                threads.scope(|all| {
-                    for work in works {
-                        all.spawn(|_| work.do_it(event));
-                    }
-                })
-            }
+            works if works.len() > 1 => rayon::scope(|all| {
+                for work in works {
+                    all.spawn(|_| work.do_it(event));
+                }
+            }),
             works => works.into_iter().for_each(|work| work.do_it(event)),
         }
         written
@@ -154,7 +161,7 @@ impl Hands {
     fn shares(&self, event: &Event) -> Vec<Range<usize>> {
         let patches = event.plan.patches.len();
         let cells = event.rows_of_slots(&(0..event.plan.order.len())).len();
-        let hands = self.hands.len().min(cells / CELLS_PER_HAND).max(1);
+        let hands = self.needed(cells);
         let mut first = 0;
         (1..=hands)
             .map(|number| {

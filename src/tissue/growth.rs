@@ -164,12 +164,9 @@ impl Growth {
 
     /// Hands the cells of `places` to the crowd.
     fn settle(&mut self) {
-        let kinds = self.diary.lineage.iter().map(|cell| cell.kind as u8);
-        self.crowd.gather(
-            &self.mesh,
-            self.places.iter().copied().zip(kinds),
-            self.ground.reach_cm(),
-        );
+        let lineage = &self.diary.lineage;
+        let kind = |cell: usize| lineage[cell].kind as u8;
+        self.crowd.gather(&self.mesh, &self.places, kind, self.ground.reach_cm());
     }
 
     /// Writes the day down and renews the forces with the repulsive radius.
@@ -188,8 +185,9 @@ impl Growth {
         let cells = places.len();
         self.ground = Ground::new(&self.mesh, &self.recipe, &self.controls, cells, day + 1);
         let repulsive_radius = self.recipe.repulsive_radius_cm(self.mesh.area, cells);
-        self.diary.days.push(Day { places: places.clone(), repulsive_radius });
-        self.places = places;
+        // Into the memory that is there.
+        self.places.clone_from(&places);
+        self.diary.days.push(Day { places, repulsive_radius });
         self.events = 0;
     }
 }

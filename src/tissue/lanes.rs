@@ -168,23 +168,22 @@ impl Share<'_> {
 
     /// Starts each bin where those before it end, and the rows of a share behind those of the shares before.
     pub(super) fn join(shares: &mut [Share], starts: &mut [u32]) {
-        starts.fill(0);
-        for share in &*shares {
-            starts.iter_mut().zip(&*share.counts).for_each(|(all, count)| *all += count);
-        }
-        let mut before = 0;
-        for start in &mut *starts {
-            before += std::mem::replace(start, before);
-        }
-        for share in shares {
-            // What was the start for this share is the end of its rows, and the start for the next.
-            for (next, count) in starts.iter_mut().zip(&mut *share.counts) {
-                *next += std::mem::replace(count, *next);
+        let mut before = u32x4::ZERO;
+        for (four, starts) in starts.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
+            let row = LANES * four;
+            let mut all = u32x4::ZERO;
+            for share in &mut *shares {
+                all += u32x4::new(*lanes_mut(share.counts, row));
+            }
+            let mut first = starts_of(all, &mut before);
+            *starts = first.to_array();
+            for share in &mut *shares {
+                let counts = lanes_mut(share.counts, row);
+                let own = u32x4::new(*counts);
+                *counts = first.to_array();
+                first += own;
             }
         }
-        // Where the rows of a bin end, those of the next one start.
-        starts.copy_within(..starts.len() - 1, 1);
-        starts[0] = 0;
     }
 
     /// Calls `place` with each row's number before and after.
@@ -199,22 +198,30 @@ impl Share<'_> {
 /// Starts each bin where those before it end, four at a time, and leaves no counts.
 #[inline]
 fn sum_up(counts: &mut [u32], starts: &mut [u32]) {
-    const UPPER: u32x4 = u32x4::new([0, 0, u32::MAX, u32::MAX]);
     let mut before = u32x4::ZERO;
     let (counts, starts) = (counts.as_chunks_mut::<LANES>().0, starts.as_chunks_mut::<LANES>().0);
     for (counts, starts) in counts.iter_mut().zip(starts) {
         let four = u32x4::new(*counts);
         *counts = u32x4::ZERO.to_array();
-        // Each with the one before it: 0 and 1, 2 and 3, and then the first sum with the other two.
-        let shifted: u64x2 = bytemuck::cast::<_, u64x2>(four) << 32_u32;
-        let pairs: f32x4 = bytemuck::cast(four + bytemuck::cast::<_, u32x4>(shifted));
-        let first: u32x4 = bytemuck::cast(pairs.unpack_lo(pairs));
-        let sums = bytemuck::cast::<_, u32x4>(pairs) + (first & UPPER);
-        *starts = (before + sums - four).to_array();
-        let last: f32x4 = bytemuck::cast(sums);
-        let last = last.unpack_hi(last);
-        before += bytemuck::cast::<_, u32x4>(last.unpack_hi(last));
+        *starts = starts_of(four, &mut before).to_array();
     }
+}
+
+/// Where four bins start that hold so many rows; `before`, the rows before them in all lanes, moves on behind
+/// them.
+#[inline]
+fn starts_of(four: u32x4, before: &mut u32x4) -> u32x4 {
+    const UPPER: u32x4 = u32x4::new([0, 0, u32::MAX, u32::MAX]);
+    // Each with the one before it: 0 and 1, 2 and 3, and then the first sum with the other two.
+    let shifted: u64x2 = bytemuck::cast::<_, u64x2>(four) << 32_u32;
+    let pairs: f32x4 = bytemuck::cast(four + bytemuck::cast::<_, u32x4>(shifted));
+    let first: u32x4 = bytemuck::cast(pairs.unpack_lo(pairs));
+    let sums = bytemuck::cast::<_, u32x4>(pairs) + (first & UPPER);
+    let starts = *before + sums - four;
+    let last: f32x4 = bytemuck::cast(sums);
+    let last = last.unpack_hi(last);
+    *before += bytemuck::cast::<_, u32x4>(last.unpack_hi(last));
+    starts
 }
 
 /// Copies a number of a column to a row of another.

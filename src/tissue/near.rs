@@ -275,11 +275,13 @@ fn seen_boxes(x: f32x4, y: f32x4) -> u32x4 {
 }
 
 /// A column of so many rows. It is made anew, as the system hands out zeros without writing them: rows that
-/// are never used take no memory.
+/// are never used take no memory. From the second time on it has some to spare for the days to come: large
+/// columns that are made anew on each take longer than to relax a few of the cells.
 fn make_room<T: Copy + Default>(column: &mut Vec<T>, rows: usize) {
     if column.len() < rows {
+        let spare = if column.is_empty() { 0 } else { rows / 4 };
         drop(std::mem::take(column));
-        *column = vec![T::default(); rows];
+        *column = vec![T::default(); rows + spare];
     }
 }
 

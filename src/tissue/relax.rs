@@ -67,46 +67,79 @@ impl Crowd {
         self.hands.caught_walks()
     }
 
-    /// Takes up the cells of a day: their places and types by number. No cell will look further
+    /// Takes up the cells of a day: their places, and their types, by number. No cell will look further
     /// than `reach_cm`.
     pub fn gather(
         &mut self,
         mesh: &Mesh,
-        cells: impl ExactSizeIterator<Item = (Place, u8)>,
+        places: &[Place],
+        kind: impl Fn(usize) -> u8 + Sync,
         reach_cm: f32,
     ) {
-        self.cells = cells.len();
+        self.cells = places.len();
         self.plan.renew(mesh, self.cells, reach_cm);
         let count = self.cells + LANES * self.hands.count();
         self.rows.resize(count, Row::default());
         self.moved.resize(count, Row::default());
         self.bins.resize(count, 0);
         self.hands.reserve(self.cells);
-        self.types = 1;
-        for (number, (place, kind)) in cells.enumerate() {
-            self.types = self.types.max(usize::from(kind) + 1);
-            let Place { b1, b2, .. } = place;
-            self.moved[number] = Row { b1, b2, kind: f32::from(kind), cell: number as u32 };
-            self.bins[number] = self.plan.bin(place);
+        self.types = (0..self.cells).map(&kind).max().map_or(1, |most| usize::from(most) + 1);
+        let plan = &self.plan;
+        let take_up = |number: usize, row: &mut Row, bin: &mut u32| {
+            let Place { b1, b2, .. } = places[number];
+            *row = Row { b1, b2, kind: f32::from(kind(number)), cell: number as u32 };
+            *bin = plan.bin(places[number]);
+        };
+        let numbers = self.hands.even_shares(self.cells, self.cells);
+        #[cfg(not(target_arch = "wasm32"))]
+        if let Some(threads) = self.hands.threads_for(self.cells) {
+            let (moved, bins) = (&mut self.moved[..], &mut self.bins[..]);
+            threads.install(|| super::threads::take_up(&numbers, moved, bins, take_up));
+            return threads.install(|| self.sort(&numbers));
         }
-        self.sort(std::slice::from_ref(&(0..self.cells)));
+        let rows = self.moved.iter_mut().zip(&mut self.bins);
+        (0..self.cells).zip(rows).for_each(|(number, (row, bin))| take_up(number, row, bin));
+        self.sort(&numbers);
     }
 
     /// The places of all cells by their numbers.
     pub fn places(&self) -> Vec<Place> {
         let mut places = vec![Place::default(); self.cells];
-        for (slot, &triangle) in self.plan.order.iter().enumerate() {
+        #[cfg(not(target_arch = "wasm32"))]
+        if let Some(threads) = self.hands.threads_for(self.cells) {
+            let slots = self.hands.even_shares(self.plan.order.len(), self.cells);
+            let tell = |slots, tell: &mut dyn FnMut(usize, Place)| self.tell(slots, tell);
+            threads.install(|| super::threads::scatter(&slots, &mut places, tell));
+            return places;
+        }
+        self.tell(0..self.plan.order.len(), |cell, place| places[cell] = place);
+        places
+    }
+
+    /// Tells the cells in some triangles, by their order in the plan, and their places.
+    fn tell(&self, slots: Range<usize>, mut tell: impl FnMut(usize, Place)) {
+        for slot in slots {
+            let triangle = self.plan.order[slot];
             for row in &self.rows[self.rows_of(self.plan.bins.of(slot))] {
-                places[row.cell as usize] = row.place(triangle);
+                tell(row.cell as usize, row.place(triangle));
             }
         }
-        places
     }
 
     /// One event: every displacement is computed from the old places, then all cells move. The ground
     /// is of the reach that the cells were gathered with. With a course, each displacement is turned
     /// along its direction field.
     pub fn relax(&mut self, mesh: &Mesh, ground: &Ground, course: Option<&Course>) {
+        #[cfg(not(target_arch = "wasm32"))]
+        if let Some(threads) = self.hands.threads_for(self.cells) {
+            // All of it among the threads: to go in and out for each of its parts would have to be waited for.
+            return threads.install(|| self.relax_here(mesh, ground, course));
+        }
+        self.relax_here(mesh, ground, course);
+    }
+
+    /// The same, on this thread and those that share its pool.
+    fn relax_here(&mut self, mesh: &Mesh, ground: &Ground, course: Option<&Course>) {
         let event = Event {
             mesh,
             ground,
@@ -141,7 +174,6 @@ impl Crowd {
         match written {
             #[cfg(not(target_arch = "wasm32"))]
             [_, _, ..] => super::threads::sort(
-                self.hands.threads(),
                 &mut self.sorting,
                 (&self.bins, written, bins_in_all),
                 moved,

@@ -63,7 +63,7 @@ fn a_day_moves_cells_as_the_formula_says() {
         adhesion[j][i] = alpha;
     }
     for (triangles_a_side, radius_scale, repulsion) in
-        [(24, 1.0, 0.09), (24, 2.5, 0.02), (6, 1.0, 0.3), (48, 1.5, 0.05)]
+        [(24, 1.0, 0.09), (24, 2.5, 0.02), (6, 1.0, 0.3), (48, 1.5, 0.05), (24, 1.0, 2.0)]
     {
         let mesh = Arc::new(flat_torus(triangles_a_side, SIDE_CM));
         let recipe = Recipe { adhesion, radius_scale, repulsion, ..undivided() };
@@ -81,6 +81,7 @@ fn a_day_moves_cells_as_the_formula_says() {
             longest = longest.max(push.length());
         }
         assert!(longest > 0.01, "somebody moved");
+        assert!(repulsion < 1.0 || longest > 0.4999 * radius, "the longest steps are capped");
     }
 }
 

@@ -115,3 +115,53 @@ fn shares_that_were_rounded_are_scaled_to_one() {
     assert!((rows[2].iter().sum::<f64>() - 1.0).abs() < 1e-12 && rows[2][2] == 0.0, "{rows:?}");
     assert_eq!(rows[0], [1.0 - (0.3 + 0.3), 0.3, 0.3]);
 }
+
+#[test]
+fn numbers_go_to_the_ends_that_are_named_and_no_further() {
+    type Set = fn(&mut Recipe, f64);
+    let numbers: [(&str, Set, &[f64], &[f64]); 11] = [
+        ("initial_cells", |r, x| r.initial_cells = x as u32, &[1.0, 2e6], &[0.0, 2_000_001.0]),
+        ("max_cells", |r, x| r.max_cells = x as u32, &[2000.0, 1e8], &[1999.0, 100_000_001.0]),
+        ("days", |r, x| r.days = x as u32, &[0.0, 1000.0], &[1001.0]),
+        ("relaxations_per_day", |r, x| r.relaxations_per_day = x as u32, &[0.0, 1e3], &[1001.0]),
+        ("initial_relaxations", |r, x| r.initial_relaxations = x as u32, &[0.0, 1e4], &[10_001.0]),
+        ("division_days", |r, x| r.division_days[1] = x, &[1.001, 500.0], &[1.0, 500.1, f64::NAN]),
+        ("adhesion", |r, x| r.adhesion[0][2] = x as f32, &[0.0, 1.0], &[-0.001, 1.001, f64::NAN]),
+        (
+            "radius_scale",
+            |r, x| r.radius_scale = x as f32,
+            &[0.001, 10.0],
+            &[0.0, 10.001, f64::NAN],
+        ),
+        ("repulsion", |r, x| r.repulsion = x as f32, &[0.0, 2.0], &[-0.001, 2.001, f64::NAN]),
+        ("anisotropy", |r, x| r.anisotropy = x as f32, &[0.0, 1.0], &[-0.001, 1.001, f64::NAN]),
+        (
+            "initial_probability",
+            |r, x| r.initial_probability = [x, 1.0 - x, 0.0],
+            &[0.0, 1.0],
+            &[-0.001, 1.001, f64::NAN],
+        ),
+    ];
+    for (name, set, within, beyond) in numbers {
+        let with = |x: f64| {
+            let mut recipe =
+                Recipe { initial_cells: 2000, max_cells: 100_000_000, ..Recipe::default() };
+            set(&mut recipe, x);
+            recipe.check()
+        };
+        for &x in within {
+            assert_eq!(with(x), Ok(()), "{name} {x}");
+        }
+        for &x in beyond {
+            assert!(with(x).unwrap_err().to_string().contains(name), "{name} {x}");
+        }
+    }
+    let of_sum = |sum: f64| {
+        let initial_probability = [0.5, 0.25, sum - 0.75];
+        Recipe { initial_probability, ..Recipe::default() }.check().is_ok()
+    };
+    assert_eq!(
+        [0.999_99, 0.999_999_5, 1.0, 1.000_000_5, 1.000_01].map(of_sum),
+        [false, true, true, true, false]
+    );
+}

@@ -190,6 +190,7 @@ fn a_body_far_from_the_origin_keeps_its_shape_and_says_where_it_was() {
     let faces = &TETRAHEDRON[TETRAHEDRON.find('f').unwrap()..];
     let brought = read(&format!("{far}{faces}v 1e300 nan 0\n"));
     assert_eq!(numbers(&brought), [4, 1, 0, 0, 0]);
+    assert_eq!(brought.origin, DVec3::new(1e6, 5e6, 0.0), "its middle, in whole centimetres");
     let first = brought.body.surface.positions[0].as_dvec3() + brought.origin;
     assert_eq!(first, DVec3::new(1000001.125, 5000001.0, 1.0), "to the bit");
 
