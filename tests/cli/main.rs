@@ -1,5 +1,6 @@
 //! The command line as its user meets it.
 
+mod shapes;
 mod sweeps;
 
 use serde_json::Value;
@@ -191,7 +192,7 @@ fn help_and_version_are_there() {
     let figures =
         ["--figure", "--individuals", "--threads", "--shard", "--merge", "--csv", "--json"];
     let sweep = ["--link", "--preset", "--day", "--vary", "df=4..12:5", "--individuals", "--shard"];
-    let all = ["grow", "figures", "sweep", "bench", "Exit status"];
+    let all = ["grow", "figures", "sweep", "shape", "bench", "Exit status"];
     for (arguments, words) in [
         (&["--help"][..], &all[..]),
         (&["help"], &all),
@@ -201,6 +202,8 @@ fn help_and_version_are_there() {
         (&["figures", "--help"], &figures),
         (&["sweep", "--help"], &sweep),
         (&["bench", "--help"], &["--runs"]),
+        (&["shape", "--help"], &["tree"]),
+        (&["shape", "tree", "--help"], &["--matrix", "--order", "--numbers", "--obj", "--stats"]),
     ] {
         let help = succeed(arguments);
         for word in words {

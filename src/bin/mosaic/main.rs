@@ -10,6 +10,7 @@ mod options;
 mod output;
 mod progress;
 mod report;
+mod shape;
 mod states;
 mod subject;
 mod sweep;
@@ -45,6 +46,7 @@ fn run() -> Result<(), Refusal> {
         Asked::For(Command::Grow(options)) => grow::grow(&options),
         Asked::For(Command::Figures(options)) => figures::figures(&options),
         Asked::For(Command::Sweep(options)) => sweep::sweep(&options),
+        Asked::For(Command::Shape(options)) => shape::shape(&options),
         Asked::For(Command::Bench(options)) => bench::bench(options.runs),
         Asked::Text(text) => say(&text),
     }

@@ -1,6 +1,7 @@
 //! What the command line says.
 
 use super::Refusal;
+use super::shape::ShapeOptions;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgAction, Args, Parser, Subcommand};
 use clonal_mosaic::plants;
@@ -42,6 +43,8 @@ pub enum Command {
     /// them, and their means as `mosaic figures` has them, each with the link that shows it.
     #[command(verbatim_doc_comment)]
     Sweep(SweepOptions),
+    /// A body grown from rules: a tree of a ramification matrix
+    Shape(ShapeOptions),
     /// How fast the engine is on this machine
     Bench(BenchOptions),
 }
@@ -257,7 +260,11 @@ fn refusal(error: &clap::Error) -> Refusal {
     let argument = option(ContextKind::InvalidArg);
     match error.kind() {
         ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            "say what to do: mosaic grow, figures, sweep or bench, or mosaic --help".into()
+            let told = error.render().to_string();
+            if told.contains("mosaic shape") {
+                return "say which: mosaic shape tree, or mosaic shape --help".into();
+            }
+            "say what to do: mosaic grow, figures, sweep, shape or bench, or mosaic --help".into()
         }
         ErrorKind::InvalidSubcommand => {
             format!(
@@ -294,11 +301,11 @@ fn presets() -> String {
     format!("A plant of the playground:\n{}", lines.join(",\n"))
 }
 
-fn whole(text: &str) -> Result<u32, String> {
+pub fn whole(text: &str) -> Result<u32, String> {
     text.parse().map_err(|_| format!("it must be a whole number from 0 to {}", u32::MAX))
 }
 
-fn from_one_to<const MOST: u32>(text: &str) -> Result<u32, String> {
+pub fn from_one_to<const MOST: u32>(text: &str) -> Result<u32, String> {
     match text.parse() {
         Ok(number) if (1..=MOST).contains(&number) => Ok(number),
         _ => Err(format!("it must be a whole number from 1 to {MOST}")),

@@ -1,0 +1,8 @@
+//! Bodies from rules: a few numbers in, a body with coordinates of its own out.
+
+pub mod branching;
+mod chance;
+mod tube;
+mod wrong;
+
+pub use wrong::ShapeError;
