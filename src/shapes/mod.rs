@@ -2,6 +2,7 @@
 
 pub mod branching;
 mod chance;
+pub mod leaf;
 mod tube;
 mod wrong;
 

@@ -202,7 +202,8 @@ fn help_and_version_are_there() {
         (&["figures", "--help"], &figures),
         (&["sweep", "--help"], &sweep),
         (&["bench", "--help"], &["--runs"]),
-        (&["shape", "--help"], &["tree"]),
+        (&["shape", "--help"], &["leaf", "tree"]),
+        (&["shape", "leaf", "--help"], &["--numbers", "--individual", "--obj", "--stats"]),
         (&["shape", "tree", "--help"], &["--matrix", "--order", "--numbers", "--obj", "--stats"]),
     ] {
         let help = succeed(arguments);

@@ -84,6 +84,94 @@ fn a_tree_is_written_as_a_mesh_that_can_be_grown_on() {
 }
 
 #[test]
+fn a_leaf_is_told_in_numbers_of_its_closed_forms() {
+    let numbers = file(
+        "leaf.json",
+        r#"{"lobes": 1, "nodes": 9, "secondary_deg": 50, "length": {"linear": {"a_cm": 0.2, "b_cm": 0.3}},
+            "secondary_scale": 1, "base": 1, "tip": 1, "border_factor": 1.2, "border": "polygon",
+            "irregularity": 0}"#,
+    );
+    let stats = json(&["shape", "leaf", "--numbers", &numbers, "--stats"]);
+    let whole = |key: &str| stats[key].as_u64().unwrap();
+    assert_eq!([whole("lobes"), whole("main_veins"), whole("secondary_veins")], [1, 1, 16]);
+    assert_eq!(whole("border_corners"), 18);
+    // The pieces of the main vein, and two secondary veins as long as each but the first.
+    let piece = |steps: u32| 0.2 * f64::from(steps) + 0.3;
+    let veins = (1..=9).map(piece).sum::<f64>() + 2.0 * (1..9).map(piece).sum::<f64>();
+    assert!((stats["vein_length_cm"].as_f64().unwrap() / veins - 1.0).abs() < 1e-12, "{stats}");
+    // Trapezia between the feet of the secondary veins, of sides that are 1.2 times as long as those.
+    let height = 50f64.to_radians().sin();
+    let mut half = 0.0;
+    let mut before = 0.0;
+    for foot in (0..9).rev() {
+        let out = if foot == 0 { 0.0 } else { 1.2 * piece(foot) };
+        let along = piece(foot + 1) * if foot == 0 { 1.2 } else { 1.0 };
+        half += 0.5 * (before + out) * along * height;
+        before = out;
+    }
+    assert!((stats["area_cm2"].as_f64().unwrap() / (2.0 * half) - 1.0).abs() < 1e-12, "{stats}");
+}
+
+#[test]
+fn a_leaf_is_written_with_coordinates_of_its_own() {
+    let (one, other) = (path("leaf-1.obj"), path("leaf-2.obj"));
+    for out in [&one, &other] {
+        succeed(&["shape", "leaf", "--individual", "7", "--obj", out]);
+    }
+    let text = std::fs::read_to_string(&one).unwrap();
+    assert_eq!(text, std::fs::read_to_string(&other).unwrap(), "the same leaf twice");
+    for line in ["usemtl blade", "usemtl bare:vein", "usemtl bare:petiole"] {
+        assert!(text.lines().any(|l| l == line), "{line}");
+    }
+    let (mut low, mut high) = ([f64::MAX; 2], [f64::MIN; 2]);
+    for line in text.lines().filter_map(|line| line.strip_prefix("vt ")) {
+        for (k, number) in line.split(' ').enumerate() {
+            let number: f64 = number.parse().unwrap();
+            (low[k], high[k]) = (low[k].min(number), high[k].max(number));
+        }
+    }
+    assert_eq!((low, high), ([-1.0, 0.0], [1.0, 1.0]), "from rim to rim, and from foot to tip");
+    let recipe = file("on-leaf.json", crate::SMALL);
+    let grown = json(&["grow", "--mesh", &one, "--recipe", &recipe, "--day", "1", "--json"]);
+    assert!(grown["days"][1]["cells"].as_u64() >= Some(60));
+}
+
+#[test]
+fn the_kinds_of_the_gallery_are_what_their_names_say() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/leaves/");
+    let stats = |name: &str| {
+        let numbers = format!("{folder}{name}.json");
+        let out = path(&format!("gallery-{name}.obj"));
+        let stats = json(&["shape", "leaf", "--numbers", &numbers, "--obj", &out, "--stats"]);
+        let mesh = std::fs::read(&out).unwrap();
+        (stats, clonal_mosaic::surface::Brought::read(&mesh).unwrap().body.surface)
+    };
+    for (name, lobes, longer_than_wide) in [
+        ("beech", 1, 1.5..3.0),
+        ("chestnut", 7, 0.5..1.2),
+        ("fern_leaflet", 1, 1.5..3.0),
+        ("holly", 1, 1.2..2.5),
+        ("ivy", 5, 0.7..1.3),
+        ("lady_mantle", 9, 0.6..1.2),
+        ("maple", 5, 0.7..1.3),
+        ("nasturtium", 9, 0.8..1.2),
+        ("plane", 5, 0.7..1.3),
+        ("poplar", 1, 0.9..1.5),
+        ("willow", 1, 5.0..12.0),
+    ] {
+        let (stats, surface) = stats(name);
+        assert_eq!(stats["lobes"], lobes, "{name}");
+        assert!((3.0..300.0).contains(&stats["area_cm2"].as_f64().unwrap()), "{name}: {stats}");
+        let used = || surface.triangles.iter().flatten().map(|&k| surface.positions[k as usize]);
+        let size = used().fold(glam::Vec3::MIN, glam::Vec3::max)
+            - used().fold(glam::Vec3::MAX, glam::Vec3::min);
+        assert!(longer_than_wide.contains(&f64::from(size.y / size.x)), "{name}: {size}");
+    }
+    let files = std::fs::read_dir(folder).unwrap().count();
+    assert_eq!(files, 11, "a kind of the gallery is not tested");
+}
+
+#[test]
 fn wrong_numbers_are_refused_on_one_line() {
     let no_json = file("no-shape.json", "order = 3");
     let unknown = file("unknown-shape.json", "{\"height\": 3}");
@@ -92,9 +180,10 @@ fn wrong_numbers_are_refused_on_one_line() {
     let leaky = file("leaky-rows.json", "[[0.5, 0.5], [0.2, 0.2, 0.5]]");
     let endless = file("endless-rows.json", "[[1, 0]]");
     let nameless = file("nameless.json", "{\"matrix\": \"oak\"}");
+    let even = file("even.json", "{\"lobes\": 4}");
     let folder = env!("CARGO_TARGET_TMPDIR");
     for (arguments, words) in [
-        (&[][..], "mosaic shape tree"),
+        (&[][..], "mosaic shape leaf or tree"),
         (&["bush"], "bush"),
         (&["tree", "--order", "0"], "--order is 0"),
         (&["tree", "--order", "13"], "from 1 to 12"),
@@ -115,6 +204,12 @@ fn wrong_numbers_are_refused_on_one_line() {
         (&["tree", "--numbers", &nameless], "nameless.json: there is no matrix"),
         (&["tree", "--obj", "no/such/folder.obj"], "folder.obj"),
         (&["tree", "--csv"], "--csv"),
+        (&["leaf", "--order", "3"], "--order"),
+        (&["leaf", "--numbers", "missing.json"], "missing.json"),
+        (&["leaf", "--numbers", &no_json], "no-shape.json"),
+        (&["leaf", "--numbers", &unknown], "unknown field `height`"),
+        (&["leaf", "--numbers", &even], "even.json: lobes is 4: it must be an odd number"),
+        (&["leaf", "--obj", "no/such/folder.obj"], "folder.obj"),
     ] {
         let arguments = [&["shape"], arguments].concat();
         let output = mosaic(&arguments);

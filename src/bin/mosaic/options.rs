@@ -43,7 +43,7 @@ pub enum Command {
     /// them, and their means as `mosaic figures` has them, each with the link that shows it.
     #[command(verbatim_doc_comment)]
     Sweep(SweepOptions),
-    /// A body grown from rules: a tree of a ramification matrix
+    /// A body grown from rules: a leaf, or a tree
     Shape(ShapeOptions),
     /// How fast the engine is on this machine
     Bench(BenchOptions),
@@ -262,7 +262,7 @@ fn refusal(error: &clap::Error) -> Refusal {
         ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
             let told = error.render().to_string();
             if told.contains("mosaic shape") {
-                return "say which: mosaic shape tree, or mosaic shape --help".into();
+                return "say which: mosaic shape leaf or tree, or mosaic shape --help".into();
             }
             "say what to do: mosaic grow, figures, sweep, shape or bench, or mosaic --help".into()
         }

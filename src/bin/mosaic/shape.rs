@@ -6,6 +6,7 @@ use super::output::{Target, cannot, say};
 use clap::{Args, Subcommand};
 use clonal_mosaic::shapes::ShapeError;
 use clonal_mosaic::shapes::branching::{Census, Matrix, Ramification, Tree, TreeNumbers, bark};
+use clonal_mosaic::shapes::leaf::{Leaf, LeafNumbers, Limb};
 use clonal_mosaic::surface::PolygonMesh;
 use serde::Serialize;
 use std::fs;
@@ -21,8 +22,16 @@ pub struct ShapeOptions {
 
 #[derive(Subcommand)]
 enum Shape {
+    /// A leaf of lobes with veins, and coordinates that belong to it
+    Leaf(LeafOptions),
     /// A tree drawn from a ramification matrix
     Tree(TreeOptions),
+}
+
+#[derive(Args)]
+struct LeafOptions {
+    #[command(flatten)]
+    body: BodyOptions,
 }
 
 #[derive(Args)]
@@ -60,8 +69,48 @@ struct BodyOptions {
 
 pub fn shape(options: &ShapeOptions) -> Result<(), Refusal> {
     match &options.what {
+        Shape::Leaf(options) => leaf(&options.body),
         Shape::Tree(options) => tree(options),
     }
+}
+
+/// What is told of a leaf.
+#[derive(Serialize)]
+struct LeafStats {
+    lobes: u32,
+    main_veins: usize,
+    secondary_veins: usize,
+    vein_length_cm: f64,
+    /// Before its sides are curved.
+    border_corners: usize,
+    area_cm2: f64,
+}
+
+fn leaf(body: &BodyOptions) -> Result<(), Refusal> {
+    let numbers = body.read(LeafNumbers::from_json)?;
+    let target = body.target()?;
+    let leaf = Leaf::new(&numbers, body.individual).map_err(|e| e.to_string())?;
+    if let Some(target) = target {
+        write(target, &leaf.mesh())?;
+    }
+    let main_veins = leaf.plan.lobes.len();
+    let stats = LeafStats {
+        lobes: numbers.lobes,
+        main_veins,
+        secondary_veins: leaf.plan.veins.len() - main_veins,
+        vein_length_cm: leaf.plan.vein_length(),
+        border_corners: Limb::straight(&leaf.plan).corners(),
+        area_cm2: leaf.limb.area(),
+    };
+    let line = format!(
+        "leaf of {}, individual {}: {:.2} cm\u{b2}, {} veins of {:.1} cm together",
+        if stats.lobes == 1 { "1 lobe".into() } else { format!("{} lobes", stats.lobes) },
+        body.individual,
+        stats.area_cm2,
+        leaf.plan.veins.len(),
+        stats.vein_length_cm
+    );
+    body.tell(&stats, &line)
 }
 
 /// What is told of a tree.
