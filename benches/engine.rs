@@ -1,6 +1,7 @@
-//! The engine by number of cells: one relaxation event, one day's divisions, one day's site lists.
+//! The engine by number of cells: one relaxation event, one day's divisions, one day's site lists; and a leaf
+//! from its numbers.
 //!
-//! On the body that the figures of the original program were measured on: an icosahedron of radius
+//! Cells grow on the body that the figures of the original program were measured on: an icosahedron of radius
 //! 10 cm, subdivided to 5,120 triangles.
 
 #[path = "../src/bin/mosaic/states.rs"]
@@ -8,6 +9,7 @@ mod states;
 
 use clonal_mosaic::mosaic::SiteFinder;
 use clonal_mosaic::plants::original::sphere;
+use clonal_mosaic::shapes::leaf::{Leaf, LeafNumbers};
 use clonal_mosaic::tissue::{Progress, Recipe};
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use states::{settled, still};
@@ -82,9 +84,21 @@ fn site_lists(c: &mut Criterion) {
     group.finish();
 }
 
+fn leaf(c: &mut Criterion) {
+    let mut group = c.benchmark_group("leaf from its numbers, by triangles");
+    for triangles in [2_000, 10_000] {
+        let numbers = LeafNumbers { triangles, ..LeafNumbers::default() };
+        group.throughput(Throughput::Elements(triangles.into()));
+        group.bench_function(BenchmarkId::from_parameter(triangles), |b| {
+            b.iter(|| black_box(Leaf::new(&numbers, 1).map(|leaf| leaf.mesh())));
+        });
+    }
+    group.finish();
+}
+
 criterion_group! {
     name = engine;
     config = Criterion::default().sample_size(10).measurement_time(Duration::from_secs(3));
-    targets = relax, divide, site_lists
+    targets = relax, divide, site_lists, leaf
 }
 criterion_main!(engine);

@@ -12,5 +12,6 @@ pub mod export;
 pub mod mosaic;
 pub mod plants;
 pub mod play;
+pub mod shapes;
 pub mod surface;
 pub mod tissue;

@@ -5,8 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room and the rooms that it may import.
-const ROOMS: [(&str, &[&str]); 9] = [
+const ROOMS: [(&str, &[&str]); 10] = [
     ("surface", &[]),
+    ("shapes", &["surface"]),
     ("tissue", &["surface"]),
     ("mosaic", &["surface", "tissue"]),
     ("plants", &["surface", "tissue", "mosaic"]),
@@ -14,11 +15,11 @@ const ROOMS: [(&str, &[&str]); 9] = [
     ("export", &["surface", "tissue", "mosaic", "plants"]),
     ("draw", &["surface", "mosaic", "plants"]),
     ("browser", &["surface", "tissue", "mosaic", "plants", "play", "export", "draw"]),
-    ("bin", &["surface", "tissue", "mosaic", "plants", "play", "export", "browser"]),
+    ("bin", &["surface", "shapes", "tissue", "mosaic", "plants", "play", "export", "browser"]),
 ];
 
 /// The rooms whose results must be the same bits on every machine.
-const MODEL: [&str; 6] = ["surface", "tissue", "mosaic", "plants", "play", "export"];
+const MODEL: [&str; 7] = ["surface", "shapes", "tissue", "mosaic", "plants", "play", "export"];
 
 /// Functions of floats, of std and of `wide`, that differ between platforms or versions of the compiler.
 /// `libm` has most of them, and the others can be written out.

@@ -8,7 +8,7 @@
 mod again;
 
 use again::Search;
-use clonal_mosaic::mosaic::{Pattern, Piece, polygons};
+use clonal_mosaic::mosaic::{Across, Pattern, Piece, polygons};
 use clonal_mosaic::plants::original::{RUNS, Run, sphere};
 use clonal_mosaic::surface::{Charts, Mesh};
 use clonal_mosaic::tissue::{Diary, Growth, Progress};
@@ -160,7 +160,7 @@ fn fill(samples: &mut [Vec3], side: usize, mesh: &Mesh, piece: &Piece, colour: V
 
 /// How far within a polygon a point lies from the nearest side that another cell lies across; nothing
 /// outside.
-fn depth(corners: &[Vec2], across: &[Option<u32>], point: Vec2) -> Option<f32> {
+fn depth(corners: &[Vec2], across: &[Across], point: Vec2) -> Option<f32> {
     let mut nearest = f32::INFINITY;
     for (k, &from) in corners.iter().enumerate() {
         let along = corners[(k + 1) % corners.len()] - from;
@@ -169,7 +169,7 @@ fn depth(corners: &[Vec2], across: &[Option<u32>], point: Vec2) -> Option<f32> {
         if inside < 0.0 {
             return None;
         }
-        if across[k].is_some() {
+        if across[k].cell().is_some() {
             nearest = nearest.min(inside / along.length().max(f32::MIN_POSITIVE));
         }
     }

@@ -2,6 +2,7 @@
 
 mod exports;
 mod plants;
+mod shapes;
 mod sweeps;
 mod tiles;
 
@@ -205,7 +206,7 @@ fn help_and_version_are_there() {
         "--svg",
         "--clones",
     ];
-    let all = ["grow", "figures", "sweep", "export", "bench", "Exit status"];
+    let all = ["grow", "figures", "sweep", "export", "shape", "plant", "bench", "Exit status"];
     for (arguments, words) in [
         (&["--help"][..], &all[..]),
         (&["help"], &all),
@@ -216,6 +217,9 @@ fn help_and_version_are_there() {
         (&["sweep", "--help"], &sweep),
         (&["export", "--help"], &export),
         (&["bench", "--help"], &["--runs"]),
+        (&["shape", "--help"], &["leaf", "tree"]),
+        (&["shape", "leaf", "--help"], &["--numbers", "--individual", "--obj", "--stats"]),
+        (&["shape", "tree", "--help"], &["--matrix", "--order", "--numbers", "--obj", "--stats"]),
     ] {
         let help = succeed(arguments);
         for word in words {

@@ -35,10 +35,9 @@ fn a_tile_goes_on_over_its_border() {
 #[test]
 fn what_makes_no_tile_is_refused_in_words() {
     let path = path("no-tile.png");
-    for (link, told) in [
-        ("cactus?v=1&n=900", "needs 1024 first cells, not 900"),
-        ("croton?v=1&noise=1", "noise"),
-    ] {
+    for (link, told) in
+        [("cactus?v=1&n=900", "needs 1024 first cells, not 900"), ("croton?v=1&noise=1", "noise")]
+    {
         let refused = mosaic(&["export", "--link", link, "--day", "0", "--tile", &path]);
         let line = String::from_utf8(refused.stderr).unwrap();
         assert_eq!((refused.status.code(), line.lines().count()), (Some(2), 1), "{line}");

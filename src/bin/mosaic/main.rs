@@ -11,6 +11,7 @@ mod options;
 mod output;
 mod progress;
 mod report;
+mod shape;
 mod states;
 mod subject;
 mod sweep;
@@ -50,6 +51,7 @@ fn run() -> Result<(), Refusal> {
         Command::Grow(options) => grow::grow(&options),
         Command::Figures(options) => figures::figures(&options),
         Command::Sweep(options) => sweep::sweep(&options),
+        Command::Shape(options) => shape::shape(&options),
         Command::Export(options) => export::export(&options),
         Command::Plant(options) => say(&(subject::plant(&options.name)?.to_json() + "\n")),
         Command::Bench(options) => bench::bench(options.runs),

@@ -3,6 +3,7 @@
 mod export;
 
 use super::Refusal;
+use super::shape::ShapeOptions;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgAction, Args, Parser, Subcommand};
 use clonal_mosaic::plants;
@@ -53,6 +54,8 @@ pub enum Command {
     /// page shows, with its bare parts, or its cells or clones as a table. docs/export.md says more.
     #[command(verbatim_doc_comment)]
     Export(ExportOptions),
+    /// A body grown from rules: a leaf, or a tree
+    Shape(ShapeOptions),
     /// How fast the engine is on this machine
     Bench(BenchOptions),
 }
@@ -279,8 +282,11 @@ fn refusal(error: &clap::Error) -> Refusal {
     let argument = option(ContextKind::InvalidArg);
     match error.kind() {
         ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            "say what to do: mosaic grow, figures, sweep, export, plant or bench, or mosaic --help"
-                .into()
+            let told = error.render().to_string();
+            if told.contains("mosaic shape") {
+                return "say which: mosaic shape leaf or tree, or mosaic shape --help".into();
+            }
+            "say what to do: mosaic grow, figures, sweep, export, shape, plant or bench, or mosaic --help".into()
         }
         ErrorKind::InvalidSubcommand => {
             format!(
@@ -317,11 +323,11 @@ fn presets() -> String {
     format!("A plant of the playground:\n{}", lines.join(",\n"))
 }
 
-fn whole(text: &str) -> Result<u32, String> {
+pub fn whole(text: &str) -> Result<u32, String> {
     text.parse().map_err(|_| format!("it must be a whole number from 0 to {}", u32::MAX))
 }
 
-fn from_one_to<const MOST: u32>(text: &str) -> Result<u32, String> {
+pub fn from_one_to<const MOST: u32>(text: &str) -> Result<u32, String> {
     match text.parse() {
         Ok(number) if (1..=MOST).contains(&number) => Ok(number),
         _ => Err(format!("it must be a whole number from 1 to {MOST}")),

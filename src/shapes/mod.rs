@@ -1,0 +1,9 @@
+//! Bodies from rules: a few numbers in, a body with coordinates of its own out.
+
+pub mod branching;
+mod chance;
+pub mod leaf;
+mod tube;
+mod wrong;
+
+pub use wrong::ShapeError;
