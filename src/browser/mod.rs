@@ -9,6 +9,7 @@ mod app;
 mod backend;
 mod boot;
 #[cfg(feature = "draw")]
+mod card;
 mod chooser;
 #[cfg(feature = "draw")]
 mod controls;

@@ -1,5 +1,6 @@
 //! What is seen: the Voronoi tessellation of the cells on the surface, and its pattern in numbers.
 
+mod clans;
 mod finder;
 mod lookout;
 mod near;
@@ -8,6 +9,7 @@ mod picked;
 mod polygons;
 mod sites;
 
+pub use clans::{CLAN_COLOURS, ClanColours, touching};
 pub use finder::SiteFinder;
 pub use pattern::{Pattern, neighbours};
 pub use polygons::{Piece, polygons};

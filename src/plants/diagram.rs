@@ -44,7 +44,7 @@ impl Show {
     /// milliseconds.
     pub fn diagram(self, plant: &Plant, mesh: &Mesh) -> Diagram {
         match (self, plant.field) {
-            (Show::Cells, _) => Diagram::default(),
+            (Show::Cells | Show::Clans, _) => Diagram::default(),
             (Show::ControlImages, _) => images(mesh, plant.controls()),
             (_, Some(lead)) => directions(self, mesh, &lead(mesh)),
             (_, None) => Diagram::default(),

@@ -36,7 +36,7 @@ use crate::surface::{Body, DirectionField, Group, Mesh, ObjError, PolygonMesh, S
 use crate::tissue::{Control, Growth, Recipe, RecipeError};
 pub use diagram::{Diagram, Layer};
 pub use look::{Look, Skin};
-pub use show::Show;
+pub use show::{CLAN_PALETTE, Show};
 use std::sync::Arc;
 
 /// A plant of the playground.
