@@ -8,8 +8,13 @@ use glam::Vec2;
 pub const CLAN_COLOURS: u32 = 8;
 
 /// Pairs of clans whose cells share a border somewhere on a day, the lower number first, each pair once
-/// and in order. `lists`: the day's; `clan_of`: of each of their sites.
-pub fn touching(mesh: &Mesh, lists: &SiteLists, clan_of: impl Fn(usize) -> u32) -> Vec<[u32; 2]> {
+/// and in order: those of all pairs that are wanted. `lists`: the day's; `clan_of`: of each of their sites.
+pub fn touching(
+    mesh: &Mesh,
+    lists: &SiteLists,
+    clan_of: impl Fn(usize) -> u32,
+    is_wanted: impl Fn(u32, u32) -> bool,
+) -> Vec<[u32; 2]> {
     let mut pairs = Vec::new();
     let mut sites: Vec<(Vec2, u32)> = Vec::new();
     for (head, frame) in lists.heads.iter().zip(&mesh.frames) {
@@ -17,17 +22,15 @@ pub fn touching(mesh: &Mesh, lists: &SiteLists, clan_of: impl Fn(usize) -> u32) 
         let own = first..first + head.count as usize;
         sites.clear();
         sites.extend(own.map(|k| (lists.sites[k].now(head), clan_of(k))));
-        let is_mixed = sites.iter().any(|site| site.1 != sites[0].1);
-        if !is_mixed {
-            continue;
-        }
         let centroid = (frame.apex + Vec2::new(frame.length, 0.0)) / 3.0;
         let corners = frame.corners().map(|corner| corner - centroid);
-        for (k, &one) in sites.iter().enumerate() {
-            for &other in sites[k + 1..].iter().filter(|other| other.1 != one.1) {
-                let pair = [one.1.min(other.1), one.1.max(other.1)];
-                if share_border(&corners, &sites, one.0, other.0) {
-                    pairs.push(pair);
+        for (k, &(one, clan)) in sites.iter().enumerate() {
+            for &(other, beside) in &sites[k + 1..] {
+                if clan != beside
+                    && is_wanted(clan, beside)
+                    && share_border(&corners, &sites, one, other)
+                {
+                    pairs.push([clan.min(beside), clan.max(beside)]);
                 }
             }
         }
@@ -73,8 +76,11 @@ pub struct ClanColours {
     days: Vec<Vec<u8>>,
 }
 
-/// Clans are given other colours so often for one day at most, in rounds of all: more than it ever takes.
-const MOST_CHANGES: usize = 20;
+/// Rounds in which clans that clash are given other colours: more than it ever takes.
+const MOST_ROUNDS: usize = 20;
+
+/// No colour yet.
+const NONE: u8 = u8::MAX;
 
 impl ClanColours {
     /// How many days have colours.
@@ -87,54 +93,58 @@ impl ClanColours {
         &self.days[day]
     }
 
-    /// Colours the next day of so many clans, of which these pairs touch.
-    pub fn add(&mut self, clans: u32, pairs: &[[u32; 2]]) {
-        let neighbours = Neighbours::new(clans, pairs);
-        let uncoloured = || vec![u8::MAX; clans as usize];
+    /// Colours the next day of so many clans. `touching` finds, of the pairs of clans that are wanted, those
+    /// that touch on that day; few are asked for after the first day.
+    pub fn add(
+        &mut self,
+        clans: u32,
+        touching: impl Fn(&dyn Fn(u32, u32) -> bool) -> Vec<[u32; 2]>,
+    ) {
+        let uncoloured = || vec![NONE; clans as usize];
         let mut colours = self.days.last().cloned().unwrap_or_else(uncoloured);
-        colours.resize(clans as usize, u8::MAX);
-        let mut used = [0; CLAN_COLOURS as usize];
-        for &colour in colours.iter().filter(|&&colour| colour != u8::MAX) {
-            used[colour as usize] += 1;
-        }
-        // Those with most neighbours choose first (Welsh and Powell 1967).
-        let mut waiting: Vec<u32> = (0..clans).collect();
-        waiting.retain(|&clan| {
-            let own = colours[clan as usize];
-            own == u8::MAX
-                || neighbours
-                    .of(clan)
-                    .iter()
-                    .any(|&other| colours[other as usize] == own && other < clan)
-        });
-        waiting.sort_by_key(|&clan| (neighbours.of(clan).len(), clan));
-        let mut changes = MOST_CHANGES * clans as usize;
-        while let Some(clan) = waiting.pop().filter(|_| changes > 0) {
-            changes -= 1;
-            let mut beside = [0; CLAN_COLOURS as usize];
-            for &other in neighbours.of(clan) {
-                if colours[other as usize] != u8::MAX {
-                    beside[colours[other as usize] as usize] += 1;
+        colours.resize(clans as usize, NONE);
+        for round in 0..MOST_ROUNDS {
+            let mut clashes: Vec<bool> = colours.iter().map(|&colour| colour == NONE).collect();
+            if !clashes.contains(&true) {
+                let of = |clan: u32| colours[clan as usize];
+                let alike = touching(&|a, b| of(a) == of(b));
+                // In turns, so that no two push each other to and fro.
+                alike.iter().for_each(|pair| clashes[pair[(round + 1) % 2] as usize] = true);
+                if alike.is_empty() {
+                    break;
                 }
             }
-            let before = std::mem::replace(&mut colours[clan as usize], u8::MAX);
-            // Of those that fewest neighbours have, the one that is rarest; and another than before, so that
-            // two clans do not push each other to and fro.
-            let colour = (0..CLAN_COLOURS as usize)
-                .min_by_key(|&colour| (beside[colour], colour == before as usize, used[colour]))
-                .unwrap_or_default();
-            for &other in neighbours.of(clan) {
-                if colours[other as usize] == colour as u8 {
-                    waiting.push(other);
-                }
-            }
-            if before != u8::MAX {
-                used[before as usize] -= 1;
-            }
-            used[colour] += 1;
-            colours[clan as usize] = colour as u8;
+            let pairs = touching(&|a, b| clashes[a as usize] || clashes[b as usize]);
+            recolour(&mut colours, &clashes, &Neighbours::new(clans, &pairs));
         }
         self.days.push(colours);
+    }
+}
+
+/// Gives each clan that clashes the colour that fewest of its neighbours have, and of those the one that is
+/// rarest of all. Those with most neighbours choose first (Welsh and Powell 1967).
+fn recolour(colours: &mut [u8], clashes: &[bool], neighbours: &Neighbours) {
+    let mut used = [0u32; CLAN_COLOURS as usize];
+    for &colour in colours.iter().filter(|&&colour| colour != NONE) {
+        used[colour as usize] += 1;
+    }
+    let mut waiting: Vec<u32> = (0..).zip(clashes).filter_map(|(k, is)| is.then_some(k)).collect();
+    waiting.sort_by_key(|&clan| std::cmp::Reverse(neighbours.of(clan).len()));
+    for clan in waiting {
+        let mut beside = [0u32; CLAN_COLOURS as usize];
+        for &other in neighbours.of(clan) {
+            if let Some(count) = beside.get_mut(colours[other as usize] as usize) {
+                *count += 1;
+            }
+        }
+        let own = &mut colours[clan as usize];
+        if let Some(count) = used.get_mut(*own as usize) {
+            *count -= 1;
+        }
+        *own = (0..CLAN_COLOURS as u8)
+            .min_by_key(|&colour| (beside[colour as usize], used[colour as usize]))
+            .unwrap_or_default();
+        used[*own as usize] += 1;
     }
 }
 
@@ -171,6 +181,10 @@ impl Neighbours {
 mod tests {
     use super::*;
 
+    fn wanted_of(pairs: &[[u32; 2]]) -> impl Fn(&dyn Fn(u32, u32) -> bool) -> Vec<[u32; 2]> {
+        |is_wanted| pairs.iter().copied().filter(|&[a, b]| is_wanted(a, b)).collect()
+    }
+
     /// Whether no pair shares a colour.
     fn are_apart(colours: &[u8], pairs: &[[u32; 2]]) -> bool {
         pairs.iter().all(|&[a, b]| colours[a as usize] != colours[b as usize])
@@ -180,11 +194,11 @@ mod tests {
     fn all_colours_are_found_where_all_are_needed() {
         let pairs: Vec<_> = (0..CLAN_COLOURS).flat_map(|b| (0..b).map(move |a| [a, b])).collect();
         let mut map = ClanColours::default();
-        map.add(CLAN_COLOURS, &pairs);
+        map.add(CLAN_COLOURS, wanted_of(&pairs));
         assert!(are_apart(map.of(0), &pairs));
         // One more cannot be told apart, but gets a colour.
         let pairs: Vec<_> = (0..=CLAN_COLOURS).flat_map(|b| (0..b).map(move |a| [a, b])).collect();
-        map.add(CLAN_COLOURS + 1, &pairs);
+        map.add(CLAN_COLOURS + 1, wanted_of(&pairs));
         assert!(map.of(1).iter().all(|&colour| u32::from(colour) < CLAN_COLOURS));
     }
 
@@ -196,7 +210,7 @@ mod tests {
         for day in 0..10 {
             let pair = |k: u32| [k, (k + 1 + day) % clans];
             let pairs: Vec<_> = (0..clans).map(pair).map(|[a, b]| [a.min(b), a.max(b)]).collect();
-            map.add(clans, &pairs);
+            map.add(clans, wanted_of(&pairs));
             let colours = map.of(day as usize);
             assert!(are_apart(colours, &pairs), "day {day}");
             if day > 0 {

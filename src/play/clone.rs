@@ -168,8 +168,9 @@ impl ClanMap {
         for next in self.colours.days()..=day as usize {
             let Some(lists) = run.lists(next as u32) else { return &[] };
             let cell_of = run.cell_of(next as u32);
-            let pairs = touching(mesh, lists, |site| founders[cell_of[site] as usize]);
-            self.colours.add(run.pedigree.clans(), &pairs);
+            let clan_of = |site: usize| founders[cell_of[site] as usize];
+            self.colours
+                .add(run.pedigree.clans(), |is_wanted| touching(mesh, lists, clan_of, is_wanted));
         }
         self.colours.of(day as usize)
     }
