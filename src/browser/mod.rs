@@ -10,6 +10,7 @@ mod backend;
 mod boot;
 #[cfg(feature = "draw")]
 mod card;
+#[cfg(feature = "draw")]
 mod chooser;
 #[cfg(feature = "draw")]
 mod controls;

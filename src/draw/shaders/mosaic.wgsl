@@ -11,7 +11,7 @@ const BORDER_SHARE = 0.032;
 
 // The rim of what is lit, on each side of it: at least so many mean spacings of the cells, and pixels.
 const RIM_SHARE = 0.07;
-const RIM_PIXELS = 0.9;
+const RIM_PIXELS = 2.0;
 
 struct Mosaic {
     // w: gloss, as a share of the look's.
@@ -95,9 +95,9 @@ fn colour_of(tag: u32) -> vec4f {
         colour = vec4f(clan * clan, 0.5);
     }
     if scene.skin.z > 0.0 && !is_lit(tag) {
-        // As in an old photograph, and dark.
+        // As in an old photograph, and dark enough for what is lit to shine.
         let grey = dot(colour.rgb, vec3f(0.25, 0.65, 0.10));
-        colour = vec4f(mix(vec3f(grey), colour.rgb, 0.12) * 0.22 + 0.02, 0.3);
+        colour = vec4f(mix(vec3f(grey), colour.rgb, 0.12) * 0.3 + 0.03, 0.3);
     }
     return colour;
 }
