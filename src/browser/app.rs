@@ -4,6 +4,7 @@
 mod frame;
 
 use super::address::{base, fragment, push_link, write_link};
+use super::card::Card;
 use super::chooser::Chooser;
 use super::controls::Controls;
 use super::dom::{Listener, document, on, window};
@@ -53,6 +54,7 @@ struct App {
     timeline: Timeline,
     show_chooser: ShowChooser,
     panel: Panel,
+    card: Card,
     controls: Controls,
     surroundings: Surroundings,
     frames: Frames,
@@ -83,6 +85,7 @@ pub fn start() {
         timeline: Timeline::new(),
         show_chooser: ShowChooser::new(),
         panel: Panel::new(),
+        card: Card::new(),
         controls: Controls::new(),
         surroundings: Surroundings::new(),
         frames: Frames::new(),
@@ -166,6 +169,15 @@ pub fn repaint() {
 /// Zooms by a factor, to the place of the plant that is nearest to a point: see `Orbit::zoomed`.
 pub fn zoom(factor: f32, at: Vec2) {
     with(|app| app.zoom(factor, at));
+}
+
+/// Takes the clone of the cell at a point of the stage, or its clan; see `Stage::cell_at`. Where there is no
+/// cell, what is in hand is let go.
+pub fn take(at: Option<Vec2>, clan: bool) {
+    with(|app| {
+        let cell = app.stage.cell_at(&app.page, at);
+        app.hear(cell.map_or(Event::PutDown, |cell| Event::Take { cell, clan }));
+    });
 }
 
 /// Tells the figures that something has happened.
@@ -331,6 +343,7 @@ impl App {
         self.timeline.show(page);
         self.show_chooser.show(page);
         self.panel.show(page);
+        self.card.show(page);
         self.controls.show(page);
         self.show_state();
     }

@@ -52,6 +52,12 @@ fn on_stage(event: &KeyboardEvent) -> bool {
         ("ArrowDown", true) => pan(0.0, -MOVE),
         ("Home", _) => Event::Seek(0),
         ("End", _) => Event::Seek(u32::MAX),
+        ("PageUp", _) => Event::StepClans(-1),
+        ("PageDown", _) => Event::StepClans(1),
+        ("Enter", clan) => {
+            app::take(None, clan);
+            return true;
+        }
         _ => return false,
     };
     app::send(event);
@@ -69,6 +75,7 @@ fn on_plant(event: &KeyboardEvent) -> bool {
         "," => app::send(Event::StepDays(-1)),
         "n" => controls::another_individual(),
         "c" => controls::copy_link(),
+        "m" => app::send(Event::TakeMother),
         _ => return false,
     }
     true
@@ -84,6 +91,7 @@ fn anywhere(event: &KeyboardEvent) -> bool {
     }
     match (event.key().to_ascii_lowercase().as_str(), command, event.shift_key()) {
         ("?", false, _) => controls::show_keys(),
+        ("escape", false, _) if !is_on(event, "dialog *") => app::send(Event::PutDown),
         // Nobody would see what is undone.
         ("z" | "y", true, _) if app::shows_figures() => return false,
         ("z", true, false) => app::send(Event::Undo),

@@ -9,6 +9,8 @@ mod app;
 mod backend;
 mod boot;
 #[cfg(feature = "draw")]
+mod card;
+#[cfg(feature = "draw")]
 mod chooser;
 #[cfg(feature = "draw")]
 mod controls;

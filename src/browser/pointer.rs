@@ -1,5 +1,5 @@
 //! Mouse, pen and fingers on the stage: one turns the plant, two (or Shift, or the right button) move
-//! it, wheel and pinch zoom.
+//! it, wheel and pinch zoom. What neither moves nor is joined by another is a click: it takes a clone in hand.
 
 use super::app;
 use super::dom::{Listener, on};
@@ -18,6 +18,9 @@ const PINCH_ZOOM: f64 = 0.01;
 /// Pixels in a line, for wheels that count in lines.
 const LINE_PX: f64 = 16.0;
 
+/// Pixels that a hand may tremble in a click; a drag begins beyond them.
+const TREMBLE_PX: f32 = 5.0;
+
 pub struct Pointer {
     _listeners: [Listener; 6],
 }
@@ -27,6 +30,8 @@ struct Down {
     id: i32,
     at: Vec2,
     moves: bool,
+    /// Whether it may be a click still.
+    clicks: bool,
 }
 
 impl Pointer {
@@ -34,7 +39,7 @@ impl Pointer {
         let down: Rc<RefCell<Vec<Down>>> = Rc::default();
         let (pressed, moved, lifted, cancelled) =
             (down.clone(), down.clone(), down.clone(), down.clone());
-        let (catcher, dragged, wheeled) = (stage.clone(), stage.clone(), stage.clone());
+        let [catcher, dragged, wheeled, clicked] = std::array::from_fn(|_| stage.clone());
         let listeners = [
             on(stage, "pointerdown", move |event: PointerEvent| {
                 let mut down = pressed.borrow_mut();
@@ -42,14 +47,19 @@ impl Pointer {
                     // Fails only for pointers that are gone already.
                     let _ = catcher.set_pointer_capture(event.pointer_id());
                     let moves = event.button() != 0 || event.shift_key();
-                    down.push(Down { id: event.pointer_id(), at: place(&event), moves });
+                    let clicks = down.is_empty() && event.button() == 0;
+                    down.iter_mut().for_each(|other| other.clicks = false);
+                    down.push(Down { id: event.pointer_id(), at: place(&event), moves, clicks });
                 }
             }),
             on(stage, "pointermove", move |event: PointerEvent| {
                 drag(&mut moved.borrow_mut(), &event, &dragged);
             }),
             on(stage, "pointerup", move |event: PointerEvent| {
-                lifted.borrow_mut().retain(|d| d.id != event.pointer_id());
+                let up = lifted.borrow_mut().extract_if(.., |d| d.id == event.pointer_id()).next();
+                if up.is_some_and(|up| up.clicks) {
+                    app::take(Some(in_square(place(&event), &clicked)), event.shift_key());
+                }
             }),
             on(stage, "pointercancel", move |event: PointerEvent| {
                 cancelled.borrow_mut().retain(|d| d.id != event.pointer_id());
@@ -72,6 +82,10 @@ impl Pointer {
 fn drag(down: &mut [Down], event: &PointerEvent, stage: &HtmlElement) {
     let Some(moved) = down.iter().position(|d| d.id == event.pointer_id()) else { return };
     let (from, to) = (down[moved].at, place(event));
+    if down[moved].clicks && from.distance(to) < TREMBLE_PX {
+        return;
+    }
+    down[moved].clicks = false;
     down[moved].at = to;
     let half = half_square(stage);
     let by = (to - from) / half;

@@ -7,6 +7,7 @@ use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, win
 use super::files;
 use crate::draw::{DrawError, Frame, Renderer};
 use crate::play::camera::Camera;
+use crate::play::clone::ClanMap;
 use crate::play::detail::Detail;
 use crate::play::gallery::ShownPicture;
 use crate::play::handed::Handed;
@@ -37,6 +38,7 @@ pub struct Stage {
     frame_px: (u32, u32),
     /// So many pictures of it were mixed since it rests.
     pictures: u32,
+    clan_map: ClanMap,
     size_px: (u32, u32),
     detail: Detail,
     _resize: ResizeObserver,
@@ -84,6 +86,7 @@ impl Stage {
             frame: None,
             frame_px: (0, 0),
             pictures: 0,
+            clan_map: ClanMap::default(),
             size_px: (0, 0),
             detail: Detail::new(false),
             _resize: resize,
@@ -202,7 +205,7 @@ impl Stage {
             look: &shown.scene.look,
             show: shown.scene.show,
             mesh,
-            cells: Some(Cells { generation, day, count, lists: shown.lists }),
+            cells: Some(Cells { generation, day, count, lists: shown.lists, painted: None }),
             camera: &Camera::new(shown.scene.orbit),
             moment: 1.0,
             size_px: (canvas.width(), canvas.height()),
@@ -234,6 +237,15 @@ impl Stage {
         outline.map_or(at, |outline| outline.nearest(at))
     }
 
+    /// The cell that is seen at a point of the stage (-1 to 1 over its centred square), or, without one, in
+    /// the middle or next to it. None where there is no cell.
+    pub fn cell_at(&self, page: &Page, at: Option<Vec2>) -> Option<u32> {
+        let (_, on) = self.body.as_ref().filter(|(key, _)| *key == page.shown().plant)?;
+        let outline = on.outline(page.camera());
+        let picked = at.map_or_else(|| outline.pick_middle(), |at| outline.pick(at))?;
+        page.cell_at(&picked)
+    }
+
     /// Forgets what is on the stage: something else was drawn there.
     pub fn forget(&mut self) {
         self.handed = Handed::default();
@@ -263,7 +275,7 @@ impl Stage {
             return Ok(None);
         };
         while let Some(part) = self.handed.lacks(&wanted) {
-            if let Err(too_large) = picture.hand(part, on_stage, renderer) {
+            if let Err(too_large) = picture.hand(part, on_stage, renderer, &mut self.clan_map) {
                 self.handed.refuse(&wanted);
                 return Err(too_large);
             }

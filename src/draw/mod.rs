@@ -36,6 +36,14 @@ pub struct Frame {
     pub dark: bool,
 }
 
+/// What stands in the sites in the place of the lightness of cells: in the highest bit whether a cell is
+/// lit, in the three others what is left of its lightness, or the number of its clan's colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Marks {
+    Lit,
+    Clans,
+}
+
 /// Why nothing can be drawn.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum DrawError {

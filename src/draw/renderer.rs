@@ -7,8 +7,8 @@ use super::model::Model;
 use super::pipelines::{DEPTH, Pipelines, SAMPLES};
 use super::scene::{SHADOW_SIDE, STILL_PICTURES, Scene};
 use super::still::Still;
-use super::{DrawError, Frame};
-use crate::mosaic::SiteLists;
+use super::{DrawError, Frame, Marks};
+use crate::mosaic::{Head, Site};
 use crate::plants::{Diagram, Look};
 use crate::surface::Body;
 use bytemuck::Zeroable;
@@ -159,13 +159,19 @@ impl Renderer {
         Ok(())
     }
 
-    /// Shows the cells of a day; call it after `set_body`. `mean_spacing_cm`: mean distance
+    /// Shows the cells of a day, with marks if they have some; call it after `set_body`. `mean_spacing_cm`: mean distance
     /// between neighbouring cells, `sqrt(area / cells)`. Errors if the lists do not fit into the
     /// textures of this device; then the cells are none of any day, until others are set.
-    pub fn set_sites(&mut self, lists: &SiteLists, mean_spacing_cm: f32) -> Result<(), DrawError> {
+    pub fn set_sites(
+        &mut self,
+        heads: &[Head],
+        sites: &[Site],
+        marks: Option<Marks>,
+        mean_spacing_cm: f32,
+    ) -> Result<(), DrawError> {
         self.scene.set_mean_spacing(mean_spacing_cm);
-        let (heads, sites) =
-            (bytemuck::cast_slice(&lists.heads), bytemuck::cast_slice(&lists.sites));
+        self.scene.set_marks(marks);
+        let (heads, sites) = (bytemuck::cast_slice(heads), bytemuck::cast_slice(sites));
         let heads_grew = self.heads.write(&self.device, &self.queue, heads);
         let sites_grew = self.sites.write(&self.device, &self.queue, sites);
         // Also where one of them is too large, the other may be a new texture.

@@ -1,7 +1,8 @@
 //! The numbers of a frame as the shaders read them.
 
-use super::{Frame, geometry::Bounds};
-use crate::plants::{Diagram, Look, linear};
+use super::{Frame, Marks, geometry::Bounds};
+use crate::mosaic::CLAN_COLOURS;
+use crate::plants::{CLAN_PALETTE, Diagram, Look, linear};
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
@@ -37,6 +38,7 @@ pub struct Scene {
     diagram: Vec4,
     ink: Vec4,
     skin: Vec4,
+    clans: [Vec4; CLAN_COLOURS as usize],
     bare: [Vec4; BARE_MATERIALS],
 }
 
@@ -59,7 +61,8 @@ impl Scene {
             self.tinted[kind as usize] = even(colour).extend(look.skin.raised[kind as usize]);
         }
         self.look = Vec4::new(look.variation, look.border, look.gloss, flag(look.veins));
-        self.skin = Vec4::new(look.skin.wax, look.skin.unevenness, 0.0, 0.0);
+        (self.skin.x, self.skin.y) = (look.skin.wax, look.skin.unevenness);
+        self.clans = CLAN_PALETTE.map(|colour| even(colour).extend(1.0));
         self.tissue.z = look.skin.through;
         for (bare, name) in self.bare.iter_mut().zip(materials) {
             let (colour, gloss) = look.of_bare(name);
@@ -70,6 +73,15 @@ impl Scene {
     /// Mean distance between neighbouring cells, in centimetres.
     pub fn set_mean_spacing(&mut self, mean_spacing_cm: f32) {
         self.tissue.x = mean_spacing_cm.max(1e-6);
+    }
+
+    /// Whether the sites have marks in the place of their lightness, and whether the marks are colours of clans.
+    pub fn set_marks(&mut self, marks: Option<Marks>) {
+        (self.skin.z, self.skin.w) = match marks {
+            None => (0.0, 0.0),
+            Some(Marks::Lit) => (1.0, 0.0),
+            Some(Marks::Clans) => (1.0, 1.0),
+        };
     }
 
     /// What covers the surface, and how a diagram's lines are drawn.

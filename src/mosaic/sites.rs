@@ -60,6 +60,8 @@ pub struct SiteLists {
 pub const MOST_TINT: u32 = 7;
 
 const MIDDLE: f32 = 2048.0;
+/// In the second word.
+const LIGHTNESS_SHIFT: u32 = 28;
 const COORDINATE: u32 = (1 << 12) - 1;
 
 /// Steps from the centroid to the farthest coordinate that fits.
@@ -70,6 +72,18 @@ impl SiteLists {
     pub fn of(&self, triangle: usize) -> &[Site] {
         let head = &self.heads[triangle];
         &self.sites[head.first as usize..(head.first + head.count) as usize]
+    }
+
+    /// The number among all sites of the one that is nearest to a place of a triangle's plane, given from its
+    /// centroid, at a moment between the day before (0) and the day of the lists (1).
+    pub fn nearest(&self, triangle: usize, place_cm: Vec2, moment: f32) -> Option<usize> {
+        let head = &self.heads[triangle];
+        let own = head.first as usize..(head.first + head.count) as usize;
+        let distance = |&k: &usize| {
+            let site = &self.sites[k];
+            site.before(head).lerp(site.now(head), moment).distance_squared(place_cm)
+        };
+        own.min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 
     /// How much of the surface is in the polygons of each `CellType`, in ten-thousandths of all of it:
@@ -142,6 +156,12 @@ impl Site {
         }
     }
 
+    /// The same site with four other bits in the place of its lightness.
+    pub fn marked(self, bits: u32) -> Site {
+        let [x, y] = self.words;
+        Site { words: [x, y & !(15 << LIGHTNESS_SHIFT) | (bits & 15) << LIGHTNESS_SHIFT] }
+    }
+
     fn place(&self, head: &Head, shift: u32) -> Vec2 {
         let [x, y] =
             self.words.map(|word| ((word >> shift & COORDINATE) as f32 - MIDDLE) * head.scale_cm);
@@ -164,6 +184,9 @@ mod tests {
             let site = Site::new(now, before, tag);
             assert_eq!((site.now(&head), site.before(&head)), (now * 0.25, before * 0.25));
             assert_eq!(site.tag(), tag);
+            let marked = site.marked(9);
+            assert_eq!(marked.tag(), Tag { lightness: 9, ..tag });
+            assert_eq!((marked.now(&head), marked.before(&head)), (now * 0.25, before * 0.25));
         }
     }
 }

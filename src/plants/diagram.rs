@@ -44,7 +44,7 @@ impl Show {
     /// milliseconds.
     pub fn diagram(self, plant: &Plant, mesh: &Mesh) -> Diagram {
         match self {
-            Show::Cells => Diagram::default(),
+            Show::Cells | Show::Clans => Diagram::default(),
             Show::ControlImages => images(mesh, plant.controls()),
             _ => match plant.field(mesh) {
                 Ok(Some(field)) => directions(self, mesh, &field),

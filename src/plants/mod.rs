@@ -36,7 +36,7 @@ mod spikes;
 mod square_watermelon;
 mod watermelon;
 
-use crate::surface::{Body, DirectionField, Mesh, ObjError, SurfaceError};
+use crate::surface::{DirectionField, Mesh, ObjError, SurfaceError};
 use crate::tissue::{Control, Growth, Recipe, RecipeError};
 pub use diagram::{Diagram, Layer};
 pub use document::PlantError;
@@ -46,7 +46,7 @@ pub use look::{Look, Skin, linear, srgb};
 use paint::Paint;
 use serde::{Deserialize, Serialize};
 pub use shape::{Growths, Levels, Shape};
-pub use show::Show;
+pub use show::{CLAN_PALETTE, Show};
 use std::sync::Arc;
 
 /// A plant of the playground: nothing but data, which `document` writes and reads as JSON.
@@ -146,7 +146,7 @@ pub enum BodyError {
 #[cfg(not(target_arch = "wasm32"))]
 impl Plant {
     /// The body, grown from the mesh file that this program carries.
-    pub fn embedded_body(&self) -> Body {
+    pub fn embedded_body(&self) -> crate::surface::Body {
         self.body.grow(self.body.mesh.text).expect("our own meshes are sound")
     }
 }

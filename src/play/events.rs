@@ -25,6 +25,20 @@ pub enum Event {
     Noise(bool),
     /// Something else is to be seen on the body.
     Show(Show),
+    /// The clone of a cell, by its number, is taken in hand, or with `clan` the one of its first cell; what
+    /// is in hand already is let go.
+    Take {
+        cell: u32,
+        clan: bool,
+    },
+    /// The clone of the mother of the cell in hand is taken.
+    TakeMother,
+    /// The clan of the cell in hand is taken.
+    TakeClan,
+    /// So many clans on (or back) from the one in hand.
+    StepClans(i32),
+    /// Whatever clone is in hand is let go.
+    PutDown,
     /// A day is wished.
     Seek(u32),
     /// A day as it was typed.

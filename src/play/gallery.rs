@@ -127,7 +127,7 @@ impl Gallery {
                 Some(run) => run.scene.day = run.scene.day.max(picture.day),
                 None => {
                     self.generation += 1;
-                    runs.push(Run::new(self.generation, picture.clone()));
+                    runs.push(Run::without_clones(self.generation, picture.clone()));
                 }
             }
         }

@@ -1,5 +1,6 @@
 //! What of a picture the graphics card holds, so that only what it lacks is handed to it.
 
+use super::clone::Paint;
 use crate::plants::{Look, Show};
 
 /// The parts of a picture, in the order in which they are handed over.
@@ -24,6 +25,8 @@ pub struct Wanted<'a> {
     pub show: Show,
     /// Generation and day. None: the cells that are there stay.
     pub cells: Option<(u32, u32)>,
+    /// In which colours they are seen.
+    pub paint: Paint,
 }
 
 /// What has been handed over.
@@ -33,6 +36,7 @@ pub struct Handed {
     look: Option<Look>,
     show: Show,
     cells: Option<(u32, u32)>,
+    paint: Paint,
     /// What was too large.
     refused: Option<(Show, Option<(u32, u32)>)>,
 }
@@ -46,7 +50,8 @@ impl Handed {
             Some(Part::Look)
         } else if self.show != wanted.show {
             Some(Part::Show)
-        } else if wanted.cells.is_some() && self.cells != wanted.cells {
+        } else if wanted.cells.is_some() && (self.cells, self.paint) != (wanted.cells, wanted.paint)
+        {
             Some(Part::Cells)
         } else {
             None
@@ -59,7 +64,9 @@ impl Handed {
             Part::Body => *self = Handed { plant: Some(wanted.plant), ..Handed::default() },
             Part::Look => self.look = Some(wanted.look.clone()),
             Part::Show => self.show = wanted.show,
-            Part::Cells => (self.cells, self.refused) = (wanted.cells, None),
+            Part::Cells => {
+                (self.cells, self.paint, self.refused) = (wanted.cells, wanted.paint, None);
+            }
         }
     }
 
@@ -102,8 +109,13 @@ mod tests {
     #[test]
     fn only_what_changed_is_handed_over() {
         let (look, mut handed) = (look(), Handed::default());
-        let croton =
-            Wanted { plant: "croton", look: &look, show: Show::Cells, cells: Some((1, 12)) };
+        let croton = Wanted {
+            plant: "croton",
+            look: &look,
+            show: Show::Cells,
+            cells: Some((1, 12)),
+            paint: Paint::default(),
+        };
         assert_eq!(hand(&mut handed, &croton), [Part::Body, Part::Look, Part::Cells]);
         assert_eq!(hand(&mut handed, &croton), []);
 
@@ -112,6 +124,9 @@ mod tests {
         let paler = Wanted { look: &paler, ..croton };
         assert_eq!(hand(&mut handed, &paler), [Part::Look], "a colour is no reason for a new body");
         let next_day = Wanted { cells: Some((1, 13)), ..paler };
+        assert_eq!(hand(&mut handed, &next_day), [Part::Cells]);
+        let map = Wanted { paint: Paint { clans: true, ..Paint::default() }, ..next_day };
+        assert_eq!(hand(&mut handed, &map), [Part::Cells], "the same day in other colours");
         assert_eq!(hand(&mut handed, &next_day), [Part::Cells]);
         let controls = Wanted { show: Show::ControlImages, cells: None, ..next_day };
         assert_eq!(hand(&mut handed, &controls), [Part::Show]);
@@ -125,8 +140,13 @@ mod tests {
     #[test]
     fn what_is_too_large_leaves_room_for_the_next() {
         let (look, mut handed) = (look(), Handed::default());
-        let day =
-            |day| Wanted { plant: "croton", look: &look, show: Show::Cells, cells: Some((1, day)) };
+        let day = |day| Wanted {
+            plant: "croton",
+            look: &look,
+            show: Show::Cells,
+            cells: Some((1, day)),
+            paint: Paint::default(),
+        };
         hand(&mut handed, &day(1));
         handed.refuse(&day(2));
         assert!(handed.refuses(&day(2)) && !handed.has_cells());

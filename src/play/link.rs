@@ -22,6 +22,9 @@ pub const INDIVIDUAL: &str = "s";
 /// The word for the wished day.
 pub const DAY: &str = "d";
 
+/// The word for the number of the cell whose clone is in hand. That of a first cell is its whole clan.
+pub const CELL: &str = "cell";
+
 /// A link that was read: what could be loaded, and in plain words what was left out and why.
 #[derive(Clone, Debug)]
 pub struct Opened {
@@ -45,6 +48,9 @@ pub fn write(scene: &Scene) -> String {
     }
     if scene.show != preset.show {
         let _ = write!(link, "&show={}", scene.show.key());
+    }
+    if let Some(cell) = scene.cell {
+        let _ = write!(link, "&{CELL}={cell}");
     }
     let orbit = scene.orbit.rounded();
     if orbit != preset.orbit.rounded() {
@@ -120,7 +126,7 @@ fn known_words<'a>(query: &'a str, left_out: &mut Vec<String>) -> Vec<Said<'a>> 
 }
 
 /// The words that are no parameters.
-const WORDS: [&str; 6] = ["v", INDIVIDUAL, DAY, "noise", "show", "view"];
+const WORDS: [&str; 7] = ["v", INDIVIDUAL, DAY, "noise", "show", CELL, "view"];
 
 /// Reads the words that are no parameters, and returns the day that is wished.
 fn read_words(scene: &mut Scene, words: &[Said], left_out: &mut Vec<String>) -> Option<u32> {
@@ -132,6 +138,7 @@ fn read_words(scene: &mut Scene, words: &[Said], left_out: &mut Vec<String>) -> 
             DAY => day(value).map(|n| wished_day = Some(n)),
             "noise" => switch(value).map(|on| scene.noise = on),
             "show" => read_show(scene.plant, value).map(|show| scene.show = show),
+            CELL => whole(value).map(|cell| scene.cell = Some(cell)),
             "view" => read_orbit(value).map(|orbit| {
                 scene.orbit = orbit.above(Orbit::lowest_deg(scene.plant));
             }),

@@ -3,6 +3,7 @@
 
 pub mod camera;
 pub mod canvases;
+pub mod clone;
 pub mod detail;
 mod events;
 pub mod figures;
@@ -16,6 +17,7 @@ pub mod offline;
 pub mod outline;
 pub mod page;
 pub mod parameters;
+pub mod pick;
 pub mod playhead;
 pub mod protocol;
 mod run;

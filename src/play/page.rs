@@ -2,6 +2,7 @@
 //! says what is to be done. It knows no browser; whoever hosts it brings the screen into agreement
 //! with `shown`, `camera` and the rest after each event.
 
+mod cloning;
 mod growing;
 mod told;
 
@@ -17,6 +18,7 @@ use super::run::{End, Run};
 use super::scene::Scene;
 use super::words;
 use crate::plants::Plant;
+use cloning::InHand;
 use told::Moves;
 
 pub use super::events::{Effect, Event, Refusal, Shown, ShownDay, State};
@@ -45,6 +47,7 @@ pub struct Page {
     moves: Option<Moves>,
     /// See `source()`.
     source: String,
+    in_hand: Option<InHand>,
     less_motion: bool,
     written: String,
     said: String,
@@ -73,6 +76,7 @@ impl Page {
             refusal: None,
             moves: None,
             source: String::new(),
+            in_hand: None,
             less_motion: false,
             written: String::new(),
             said: String::new(),
@@ -100,6 +104,7 @@ impl Page {
             _ => Effect::WriteLink,
         };
         self.take(event, &mut effects);
+        self.know_clone(&mut effects);
         self.show();
         if self.is_settled() {
             self.scene.day = self.playhead.wished_day();
@@ -189,7 +194,9 @@ impl Page {
             }
             Event::Individual(number) => match individual(number) {
                 Ok(individual) => {
-                    self.adopt(Scene { individual, ..self.wished_scene() }, effects);
+                    let before = self.wished_scene();
+                    // Numbers of cells mean others now.
+                    self.adopt(Scene { individual, cell: None, ..before }, effects);
                 }
                 Err(why) => self.refuse(INDIVIDUAL, &why),
             },
@@ -199,6 +206,7 @@ impl Page {
                 let mut scene = before.clone();
                 match parameter.set(&mut scene, value) {
                     Ok(()) => {
+                        scene.cell = scene.cell.filter(|_| scene.grows_like(&before));
                         let moves = Moves::of(parameter, &before, &scene, self.moves.take());
                         self.adopt(scene, effects);
                         self.moves = Some(moves);
@@ -211,8 +219,15 @@ impl Page {
                 let preset = Scene { orbit, show, ..Scene::preset(plant, individual) };
                 self.adopt(Scene { day: day.min(preset.recipe.days), ..preset }, effects);
             }
-            Event::Noise(noise) => self.adopt(Scene { noise, ..self.wished_scene() }, effects),
+            Event::Noise(noise) => {
+                self.adopt(Scene { noise, cell: None, ..self.wished_scene() }, effects);
+            }
             Event::Show(show) => self.adopt(Scene { show, ..self.wished_scene() }, effects),
+            Event::Take { cell, clan } => self.take_clone(cell, clan, effects),
+            Event::TakeMother => self.take_mother(effects),
+            Event::TakeClan => self.step_clans(0, effects),
+            Event::StepClans(by) => self.step_clans(by, effects),
+            Event::PutDown => self.hold(None, effects),
             Event::Seek(day) => self.seek(day, effects),
             Event::Day(day) => {
                 let last_day = f64::from(last_day);
@@ -301,7 +316,8 @@ impl Page {
         self.moves = None;
         // What was told of the last scene is over.
         effects.push(Effect::Tell(Vec::new()));
-        self.sharp &= scene.show == self.scene.show && scene.look == self.scene.look;
+        let seen = |scene: &Scene| (scene.show, scene.cell);
+        self.sharp &= seen(&scene) == seen(&self.scene) && scene.look == self.scene.look;
         self.camera.wish(scene.orbit);
         if scene.plant.key != self.scene.plant.key {
             self.camera.jump();

@@ -50,6 +50,10 @@ pub struct DayNews {
     pub facts: DayFacts,
     /// What is drawn of the day.
     pub lists: SiteLists,
+    /// The cell of each site of the lists.
+    pub cell_of: Vec<u32>,
+    /// Who was born: see `Pedigree::news`.
+    pub born: Vec<u32>,
 }
 
 /// Why words are no message.
@@ -104,14 +108,16 @@ impl ToPage {
                 push_text(&mut words, build);
                 words
             }
-            ToPage::Day(DayNews { generation, day, facts, lists }) => {
+            ToPage::Day(DayNews { generation, day, facts, lists, cell_of, born }) => {
                 let (heads, sites) = (words_of(&lists.heads), words_of(&lists.sites));
-                let mut words = Vec::with_capacity(16 + heads.len() + sites.len());
+                let parts = [heads, sites, cell_of, born];
+                let whole: usize = parts.iter().map(|part| part.len()).sum();
+                let mut words = Vec::with_capacity(18 + whole);
                 words.extend([DAY, *generation, *day, facts.count.cells]);
                 words.extend(facts.count.by_type);
                 words.extend(facts.areas);
                 push_text(&mut words, &facts.fingerprint);
-                for part in [heads, sites] {
+                for part in parts {
                     words.push(part.len() as u32);
                     words.extend_from_slice(part);
                 }
@@ -189,7 +195,9 @@ impl<'a> Reader<'a> {
         let heads: Vec<Head> = self.records()?;
         let sites: Vec<Site> = self.records()?;
         let facts = DayFacts { count: DayCount { cells, by_type }, areas, fingerprint };
-        Ok(DayNews { generation, day, facts, lists: SiteLists { heads, sites } })
+        let lists = SiteLists { heads, sites };
+        let (cell_of, born) = (self.records()?, self.records()?);
+        Ok(DayNews { generation, day, facts, lists, cell_of, born })
     }
 
     fn records<T: bytemuck::Pod>(&mut self) -> Result<Vec<T>, ProtocolError> {
@@ -222,6 +230,8 @@ mod tests {
                     fingerprint: "k3v9qa".to_string(),
                 },
                 lists: SiteLists { heads: vec![head], sites: vec![site(5), site(u32::MAX - 1)] },
+                cell_of: vec![0, 1],
+                born: vec![1, 1 << 30],
             }),
             ToPage::Full { generation: 1 },
             ToPage::Done { generation: 2 },

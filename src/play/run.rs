@@ -3,7 +3,7 @@
 use super::Scene;
 use super::protocol::DayNews;
 use crate::mosaic::SiteLists;
-use crate::tissue::DayCount;
+use crate::tissue::{DayCount, Pedigree};
 
 /// A growth as the page knows it.
 #[derive(Debug)]
@@ -12,8 +12,11 @@ pub struct Run {
     pub generation: u32,
     /// The scene that grows, as it was asked for.
     pub scene: Scene,
-    /// What is told and what is drawn of each day.
-    days: Vec<(DayFacts, SiteLists)>,
+    /// What is told and what is drawn of each day, and the cell of each site; nothing of that where no clones
+    /// are asked for.
+    days: Vec<(DayFacts, SiteLists, Vec<u32>)>,
+    pub pedigree: Pedigree,
+    knows_clones: bool,
     pub end: Option<End>,
 }
 
@@ -37,13 +40,24 @@ pub enum End {
 
 impl Run {
     pub fn new(generation: u32, scene: Scene) -> Run {
-        Run { generation, scene, days: Vec::new(), end: None }
+        let (days, pedigree) = (Vec::new(), Pedigree::default());
+        Run { generation, scene, days, pedigree, knows_clones: true, end: None }
+    }
+
+    /// The same for pictures that nobody asks for clones: a third less to hold.
+    pub fn without_clones(generation: u32, scene: Scene) -> Run {
+        Run { knows_clones: false, ..Run::new(generation, scene) }
     }
 
     /// Adds the next day. News out of turn are passed over: they cannot come from our own worker.
     pub fn add(&mut self, news: DayNews) {
         if news.generation == self.generation && news.day as usize == self.days.len() {
-            self.days.push((news.facts, news.lists));
+            let mut cell_of = Vec::new();
+            if self.knows_clones {
+                cell_of = news.cell_of;
+                self.pedigree.add(&news.born);
+            }
+            self.days.push((news.facts, news.lists, cell_of));
         }
     }
 
@@ -61,10 +75,15 @@ impl Run {
     }
 
     pub fn facts(&self, day: u32) -> Option<&DayFacts> {
-        self.days.get(day as usize).map(|(facts, _)| facts)
+        self.days.get(day as usize).map(|(facts, ..)| facts)
     }
 
     pub fn lists(&self, day: u32) -> Option<&SiteLists> {
-        self.days.get(day as usize).map(|(_, lists)| lists)
+        self.days.get(day as usize).map(|(_, lists, _)| lists)
+    }
+
+    /// The cell of each site of the lists of a day.
+    pub fn cell_of(&self, day: u32) -> &[u32] {
+        self.days.get(day as usize).map_or(&[], |(.., cell_of)| cell_of)
     }
 }

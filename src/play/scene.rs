@@ -27,6 +27,8 @@ pub struct Scene {
     pub look: Look,
     /// What is seen on the body; the plant has it.
     pub show: Show,
+    /// The cell whose clone is in hand, by its number; it may be yet to be born, or never be.
+    pub cell: Option<u32>,
     pub orbit: Orbit,
 }
 
@@ -41,6 +43,7 @@ impl Scene {
             noise: false,
             look: plant.look.clone(),
             show: Show::Cells,
+            cell: None,
             orbit: Orbit::of(&plant.view),
         }
     }

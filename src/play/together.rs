@@ -9,6 +9,7 @@ use crate::plants::Show;
 use crate::tissue::Progress;
 use std::sync::Arc;
 
+mod cloning;
 mod fields;
 mod late;
 mod looking;

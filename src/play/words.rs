@@ -121,6 +121,14 @@ pub fn source(scene: &Scene) -> String {
     }
 }
 
+/// Why no clone is in hand.
+pub fn no_such_cell(cells: u32) -> String {
+    format!(
+        "The cell of the link is not born here: there are {} cells, and no clone is in hand.",
+        grouped(cells)
+    )
+}
+
 /// Why there is no plant to see.
 pub fn no_mesh(plant: &Plant, why: &str) -> String {
     let name = plant.name.to_ascii_lowercase();

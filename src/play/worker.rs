@@ -7,7 +7,7 @@ use super::run::DayFacts;
 use crate::mosaic::SiteFinder;
 use crate::plants::Plant;
 use crate::surface::Mesh;
-use crate::tissue::{Diary, Growth, Noise, Progress};
+use crate::tissue::{Diary, Growth, Noise, Pedigree, Progress};
 use std::sync::Arc;
 
 /// Grows one plant at a time.
@@ -137,7 +137,8 @@ impl Ground {
             areas: lists.areas(&self.surface),
             fingerprint: diary.fingerprint(index),
         };
-        DayNews { generation, day, facts, lists }
+        let (cell_of, born) = (self.finder.cell_of.clone(), Pedigree::news(diary, index));
+        DayNews { generation, day, facts, lists, cell_of, born }
     }
 }
 

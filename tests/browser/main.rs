@@ -6,6 +6,7 @@
 //! they cannot be installed.
 
 mod back;
+mod clones;
 mod embedding;
 mod engines;
 mod fields;

@@ -320,6 +320,7 @@ pub fn say(what: &str, why: &str) {
 pub mod keys {
     pub const TAB: &str = "\u{e004}";
     pub const ENTER: &str = "\u{e007}";
+    pub const ESCAPE: &str = "\u{e00c}";
     pub const SPACE: &str = " ";
     pub const HOME: &str = "\u{e011}";
     pub const LEFT: &str = "\u{e012}";

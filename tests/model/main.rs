@@ -1,6 +1,7 @@
 //! The model against what is known of it from outside: exact expectations, invariants, and a force
 //! and a walk written down a second time in the plainest way.
 
+mod clans;
 mod controls;
 mod expectation;
 mod few_cells;

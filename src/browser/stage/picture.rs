@@ -1,9 +1,11 @@
 //! What is to be drawn on the stage, and the body that it is drawn on.
 
-use crate::draw::{DrawError, Geometry, Renderer};
+use crate::draw::{DrawError, Geometry, Marks, Renderer};
 use crate::mosaic::SiteLists;
 use crate::plants::{BodyError, Look, Plant, Show};
+use crate::play::Run;
 use crate::play::camera::{Camera, Sphere};
+use crate::play::clone::{ClanMap, Paint};
 use crate::play::handed::{Part, Wanted};
 use crate::play::outline::Outline;
 use crate::play::page::Page;
@@ -37,6 +39,8 @@ pub(super) struct Cells<'a> {
     pub(super) day: u32,
     pub(super) count: u32,
     pub(super) lists: &'a SiteLists,
+    /// The growth, and in which colours it is seen, where those are not the cells' own.
+    pub(super) painted: Option<(&'a Run, Paint)>,
 }
 
 impl<'a> Picture<'a> {
@@ -46,7 +50,9 @@ impl<'a> Picture<'a> {
         let day = shown.day.as_ref().filter(|_| shown.generation == run.generation);
         let cells = day.and_then(|day| {
             let (count, lists) = (day.facts.count.cells, run.lists(day.day)?);
-            Some(Cells { generation: run.generation, day: day.day, count, lists })
+            let paint = Paint::of(run, day.day, scene.cell, scene.show == Show::Clans);
+            let painted = Some((run, paint));
+            Some(Cells { generation: run.generation, day: day.day, count, lists, painted })
         });
         Picture {
             plant: scene.plant,
@@ -63,7 +69,9 @@ impl<'a> Picture<'a> {
 
     pub(super) fn wanted(&self) -> Wanted<'_> {
         let cells = self.cells.as_ref().map(|cells| (cells.generation, cells.day));
-        Wanted { plant: self.plant.key, look: self.look, show: self.show, cells }
+        let painted = self.cells.as_ref().and_then(|cells| cells.painted);
+        let paint = painted.map(|(_, paint)| paint).unwrap_or_default();
+        Wanted { plant: self.plant.key, look: self.look, show: self.show, cells, paint }
     }
 
     /// Hands a part of it to the renderer. Errors if it is too large.
@@ -72,6 +80,7 @@ impl<'a> Picture<'a> {
         part: Part,
         on: &OnStage,
         renderer: &mut Renderer,
+        map: &mut ClanMap,
     ) -> Result<(), DrawError> {
         match (part, &self.cells) {
             (Part::Body, _) => renderer.set_body(&on.body, &on.geometry),
@@ -80,8 +89,19 @@ impl<'a> Picture<'a> {
                 renderer.set_diagram(&self.show.diagram(self.plant, &on.body.surface))?;
             }
             (Part::Cells, Some(cells)) => {
-                let area = on.body.surface.area;
-                renderer.set_sites(cells.lists, (area / cells.count.max(1) as f32).sqrt())?;
+                let surface = &on.body.surface;
+                let spacing_cm = (surface.area / cells.count.max(1) as f32).sqrt();
+                let marked = cells.painted.and_then(|(run, paint)| {
+                    let marks = if paint.clans { Marks::Clans } else { Marks::Lit };
+                    Some((paint.sites(run, cells.day, surface, map)?, marks))
+                });
+                let heads = &cells.lists.heads;
+                match marked {
+                    Some((sites, marks)) => {
+                        renderer.set_sites(heads, &sites, Some(marks), spacing_cm)?;
+                    }
+                    None => renderer.set_sites(heads, &cells.lists.sites, None, spacing_cm)?,
+                }
             }
             // None are wanted.
             (Part::Cells, None) => {}

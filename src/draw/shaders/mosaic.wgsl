@@ -9,6 +9,10 @@
 // Half the width of a border, as a share of the mean spacing of the cells.
 const BORDER_SHARE = 0.032;
 
+// The rim of what is lit, on each side of it: at least so many mean spacings of the cells, and pixels.
+const RIM_SHARE = 0.07;
+const RIM_PIXELS = 2.0;
+
 struct Mosaic {
     // w: gloss, as a share of the look's.
     colour: vec4f,
@@ -77,9 +81,25 @@ fn tinted(kind: u32, tint: f32) -> vec4f {
     return vec4f(colour * colour, plain.w);
 }
 
+// Whether a cell is lit, where some are and some are not.
+fn is_lit(tag: u32) -> bool {
+    return (tag >> 15u) == 1u;
+}
+
 fn colour_of(tag: u32) -> vec4f {
-    let lightness = 1.0 + scene.look.x * (2.0 / 15.0 * f32(tag >> 12u) - 1.0);
-    return tinted(kind_of(tag), tint_of(tag)) * vec4f(vec3f(lightness * lightness), 1.0);
+    let shade = select(f32(tag >> 12u), 2.0 * f32((tag >> 12u) & 7u), scene.skin.z > 0.0);
+    let lightness = 1.0 + scene.look.x * (2.0 / 15.0 * shade - 1.0);
+    var colour = tinted(kind_of(tag), tint_of(tag)) * vec4f(vec3f(lightness * lightness), 1.0);
+    if scene.skin.w > 0.0 {
+        let clan = scene.clans[(tag >> 12u) & 7u].rgb;
+        colour = vec4f(clan * clan, 0.5);
+    }
+    if scene.skin.z > 0.0 && !is_lit(tag) {
+        // As in an old photograph, and dark enough for what is lit to shine.
+        let grey = dot(colour.rgb, vec3f(0.25, 0.65, 0.10));
+        colour = vec4f(mix(vec3f(grey), colour.rgb, 0.12) * 0.3 + 0.03, 0.3);
+    }
+    return colour;
 }
 
 // Of two cells that stand on one spot, whether the first was born of the second.
@@ -107,6 +127,8 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
     // The same of what stands higher than its neighbours, and the shade beside it.
     var bank = vec2f(0.0);
     var shade = 0.0;
+    // Of the rim of what is lit.
+    var rim = 0.0;
     if apart > 0.0 {
         var nearest = vec3u(NONE);
         for (var i = 0u; i < count; i += 2u) {
@@ -149,6 +171,10 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
             line = max(line, cover * parted);
             let steep = to_border / (1.7 * half_line);
             slope += across * (parted * exp(-steep * steep));
+            if scene.skin.z > 0.0 && is_lit(first.tag) != is_lit(other.tag) {
+                let wide = max(RIM_SHARE * spacing, RIM_PIXELS * width);
+                rim = max(rim, parted * clamp(0.5 + (wide - to_border) / width, 0.0, 1.0));
+            }
             let step = scene.tinted[kind_of(first.tag)].w - scene.tinted[kind_of(other.tag)].w;
             if step != 0.0 {
                 let near = parted * (1.0 - smoothstep(0.0, 0.5, to_border / spacing));
@@ -166,6 +192,7 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
         let per_radius2 = 1.0 / (mean_radius * mean_radius);
         var shares = vec3f(0.0);
         var tints = vec3f(0.0);
+        var marked = vec4f(0.0);
         for (var i = 0u; i < count; i++) {
             let near = near_of(head.x, i, here);
             // All count a little: somewhere no site may be within the radius.
@@ -174,14 +201,22 @@ fn mosaic(triangle: u32, place: vec2f, place_dx: vec2f, place_dy: vec2f) -> Mosa
                 weight * weight * vec3f(vec3u(kind_of(near.tag)) == vec3u(0u, 1u, 2u));
             shares += share;
             tints += share * tint_of(near.tag);
+            if scene.skin.z > 0.0 {
+                marked += weight * weight * colour_of(near.tag);
+            }
         }
+        let whole = shares.x + shares.y + shares.z;
         tints /= max(shares, vec3f(1e-9));
-        let mean = (shares.x * tinted(0u, tints.x) + shares.y * tinted(1u, tints.y)
-            + shares.z * tinted(2u, tints.z)) / (shares.x + shares.y + shares.z);
+        var mean = (shares.x * tinted(0u, tints.x) + shares.y * tinted(1u, tints.y)
+            + shares.z * tinted(2u, tints.z)) / whole;
+        if scene.skin.z > 0.0 {
+            mean = marked / whole;
+        }
         colour = mix(mean, colour, apart);
         // The share of a regular mosaic's area that its borders take.
         line = mix(4.0 * BORDER_SHARE, line, apart);
     }
     let border = scene.look.y * (2.0 - scene.look.y);
-    return Mosaic(colour * vec4f(vec3f(1.0 - border * line), 1.0), slope);
+    colour *= vec4f(vec3f(1.0 - border * line), 1.0);
+    return Mosaic(mix(colour, vec4f(0.95, 0.93, 0.85, 0.0), rim), slope);
 }

@@ -26,8 +26,11 @@ struct Scene {
     diagram: vec4f,
     // Colour of a diagram's lines, and the share of a line that is an arrow's head.
     ink: vec4f,
-    // Wax that lies on the skin, and how uneven it is.
+    // Wax that lies on the skin, and how uneven it is. Whether sites have marks in the place of lightness, and
+    // whether those are colours of clans (0 or 1).
     skin: vec4f,
+    // Square roots, too.
+    clans: array<vec4f, 8>,
     // Colours of the bare materials. w: gloss.
     bare: array<vec4f, 16>,
 }

@@ -30,6 +30,20 @@ fn a_link_holds_what_differs_and_nothing_else() {
 }
 
 #[test]
+fn a_clone_in_hand_comes_back() {
+    let link = "leaf?v=1&s=1&d=2&show=clans&cell=1234";
+    let opened = open(link);
+    assert_eq!((opened.scene.cell, opened.left_out), (Some(1234), Vec::new()));
+    assert_eq!(write(&opened.scene), link);
+    let whole_numbers = "it must be a whole number from 0 to 4294967295";
+    for value in ["-1", "1.5", "x", ""] {
+        let opened = open(&format!("leaf?v=1&s=1&d=2&cell={value}"));
+        assert_eq!(opened.scene.cell, None);
+        assert_eq!(opened.left_out, [format!("“cell={value}” was left out: {whole_numbers}.")]);
+    }
+}
+
+#[test]
 fn every_parameter_comes_back() {
     for parameter in PARAMETERS {
         let mut scene = Scene::preset(&PLANTS[0], 9);

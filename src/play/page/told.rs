@@ -34,7 +34,13 @@ impl Page {
     pub fn description(&self) -> String {
         let (scene, shown) = (&self.scene, &self.shown);
         match &shown.day {
-            Some(day) => words::describe(&self.run.scene, shown.individual, day, scene.show),
+            Some(day) => {
+                let said = words::describe(&self.run.scene, shown.individual, day, scene.show);
+                match self.told_of_clone() {
+                    Some(clone) => format!("{said}. {}", clone.in_words()),
+                    None => said,
+                }
+            }
             None => format!("{}, individual {}", scene.plant.name, scene.individual),
         }
     }
