@@ -56,8 +56,10 @@ impl Pointer {
                 drag(&mut moved.borrow_mut(), &event, &dragged);
             }),
             on(stage, "pointerup", move |event: PointerEvent| {
-                let up = lifted.borrow_mut().extract_if(.., |d| d.id == event.pointer_id()).next();
-                if up.is_some_and(|up| up.clicks) {
+                let is_it = |d: &Down| d.id == event.pointer_id();
+                let clicks = lifted.borrow().iter().any(|d| is_it(d) && d.clicks);
+                lifted.borrow_mut().retain(|d| !is_it(d));
+                if clicks {
                     app::take(Some(in_square(place(&event), &clicked)), event.shift_key());
                 }
             }),

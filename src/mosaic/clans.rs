@@ -15,7 +15,8 @@ pub fn touching(
     clan_of: impl Fn(usize) -> u32,
     is_wanted: impl Fn(u32, u32) -> bool,
 ) -> Vec<[u32; 2]> {
-    let mut pairs = Vec::new();
+    // A pair in one number: these are sorted elsewhere, too, and a second sort would be bytes to download.
+    let mut pairs: Vec<u64> = Vec::new();
     let mut sites: Vec<(Vec2, u32)> = Vec::new();
     for (head, frame) in lists.heads.iter().zip(&mesh.frames) {
         let first = head.first as usize;
@@ -30,14 +31,14 @@ pub fn touching(
                     && is_wanted(clan, beside)
                     && share_border(&corners, &sites, one, other)
                 {
-                    pairs.push([clan.min(beside), clan.max(beside)]);
+                    pairs.push(u64::from(clan.min(beside)) << 32 | u64::from(clan.max(beside)));
                 }
             }
         }
     }
     pairs.sort_unstable();
     pairs.dedup();
-    pairs
+    pairs.into_iter().map(|pair| [(pair >> 32) as u32, pair as u32]).collect()
 }
 
 /// Whether the polygons of two sites share a border within a triangle: whether of the line that is as
@@ -128,9 +129,13 @@ fn recolour(colours: &mut [u8], clashes: &[bool], neighbours: &Neighbours) {
     for &colour in colours.iter().filter(|&&colour| colour != NONE) {
         used[colour as usize] += 1;
     }
-    let mut waiting: Vec<u32> = (0..).zip(clashes).filter_map(|(k, is)| is.then_some(k)).collect();
-    waiting.sort_by_key(|&clan| std::cmp::Reverse(neighbours.of(clan).len()));
-    for clan in waiting {
+    let order = |(clan, _): (u32, &bool)| {
+        let count = neighbours.of(clan).len() as u32;
+        u64::from(u32::MAX - count) << 32 | u64::from(clan)
+    };
+    let mut waiting: Vec<u64> = (0..).zip(clashes).filter(|(_, is)| **is).map(order).collect();
+    waiting.sort_unstable();
+    for clan in waiting.into_iter().map(|key| key as u32) {
         let mut beside = [0u32; CLAN_COLOURS as usize];
         for &other in neighbours.of(clan) {
             if let Some(count) = beside.get_mut(colours[other as usize] as usize) {
