@@ -1,5 +1,5 @@
-//! The engine by number of cells: one relaxation event, one day's divisions, one day's site lists; and a leaf
-//! from its numbers.
+//! The engine by number of cells: one relaxation event, one day's divisions, one day's site lists; a leaf
+//! from its numbers, and fine veins by their sources.
 //!
 //! Cells grow on the body that the figures of the original program were measured on: an icosahedron of radius
 //! 10 cm, subdivided to 5,120 triangles.
@@ -10,8 +10,10 @@ mod states;
 use clonal_mosaic::mosaic::SiteFinder;
 use clonal_mosaic::plants::original::sphere;
 use clonal_mosaic::shapes::leaf::{Leaf, LeafNumbers};
+use clonal_mosaic::shapes::veins::{VeinNumbers, grow, scatter};
 use clonal_mosaic::tissue::{Progress, Recipe};
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use glam::DVec2;
 use states::{settled, still};
 use std::hint::black_box;
 use std::sync::Arc;
@@ -96,9 +98,21 @@ fn leaf(c: &mut Criterion) {
     group.finish();
 }
 
+fn veins(c: &mut Criterion) {
+    let side = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(DVec2::from).to_vec();
+    let numbers = VeinNumbers { spacing_cm: 0.0186, ..VeinNumbers::default() };
+    let sources = scatter(&[side], numbers.spacing_cm, 1);
+    let mut group = c.benchmark_group("fine veins of a square leaf from sources");
+    group.throughput(Throughput::Elements(sources.len() as u64));
+    group.bench_function(BenchmarkId::from_parameter(sources.len()), |b| {
+        b.iter(|| black_box(grow(&[DVec2::new(0.5, 0.0)], &sources, &numbers)));
+    });
+    group.finish();
+}
+
 criterion_group! {
     name = engine;
     config = Criterion::default().sample_size(10).measurement_time(Duration::from_secs(3));
-    targets = relax, divide, site_lists, leaf
+    targets = relax, divide, site_lists, leaf, veins
 }
 criterion_main!(engine);

@@ -4,6 +4,7 @@ pub mod branching;
 mod chance;
 pub mod leaf;
 mod tube;
+pub mod veins;
 mod wrong;
 
 pub use wrong::ShapeError;
