@@ -3,6 +3,7 @@
 use super::VeinNumbers;
 use crate::shapes::ShapeError;
 use glam::DVec2;
+use std::collections::BTreeMap;
 
 /// Nodes of veins, each behind its parent.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,11 +16,28 @@ pub struct Network {
     pub steps: u32,
 }
 
-/// A source that no vein has reached.
+/// Sources stand in cells of so many spacings, so that most nodes are looked at for a whole cell at once.
+const CELL: f64 = 4.0;
+
 struct Source {
     at: DVec2,
     nearest: u32,
+    /// Of the distance to that node.
     square: f64,
+    /// Whether it has been reached, or given up.
+    is_gone: bool,
+}
+
+struct Sources {
+    all: Vec<Source>,
+    cells: Vec<Cell>,
+}
+
+/// Sources close to each other.
+struct Cell {
+    low: DVec2,
+    high: DVec2,
+    members: Vec<u32>,
 }
 
 /// Grows veins from their roots to all sources. A source between two veins that pull apart evenly may never be
@@ -40,30 +58,30 @@ pub fn grow(
         parents: (0..roots.len() as u32).collect(),
         ..Network::default()
     };
-    let far = |&at: &DVec2| Source { at, nearest: 0, square: f64::INFINITY };
-    let mut sources: Vec<Source> = sources.iter().map(far).collect();
-    notice(&mut sources, &network.nodes, 0, reach);
+    let mut sources = Sources::new(sources, CELL * numbers.spacing_cm);
+    sources.notice(&network.nodes, 0, reach);
     let mut pulls: Vec<DVec2> = Vec::new();
     let mut last_child: Vec<DVec2> = Vec::new();
-    while !sources.is_empty() && !network.nodes.is_empty() {
+    while sources.all.iter().any(|source| !source.is_gone) && !roots.is_empty() {
         pulls.clear();
         pulls.resize(network.nodes.len(), DVec2::ZERO);
         last_child.resize(network.nodes.len(), DVec2::NAN);
-        for source in &sources {
+        for source in sources.all.iter().filter(|source| !source.is_gone) {
             let way = source.at - network.nodes[source.nearest as usize];
-            pulls[source.nearest as usize] += way / way.length();
+            pulls[source.nearest as usize] += way / way.length_squared().sqrt();
         }
         let before = network.nodes.len();
         let mut stuck = vec![false; before];
         for node in 0..before {
             // Nobody pulls, or two from either side.
-            let Some(direction) = pulls[node].try_normalize() else {
+            let pull = pulls[node].length_squared().sqrt();
+            if pull == 0.0 {
                 stuck[node] = true;
                 continue;
-            };
-            let child = network.nodes[node] + direction * step;
+            }
+            let child = network.nodes[node] + pulls[node] * (step / pull);
             // The same sources pull as before: the last child was of no use to them.
-            if last_child[node].distance(child) < 1e-6 * step {
+            if last_child[node].distance_squared(child) < 1e-12 * step * step {
                 stuck[node] = true;
                 continue;
             }
@@ -72,24 +90,57 @@ pub fn grow(
             network.parents.push(node as u32);
         }
         network.steps += 1;
-        sources.retain(|source| !stuck[source.nearest as usize]);
-        notice(&mut sources, &network.nodes, before, reach);
+        for source in &mut sources.all {
+            source.is_gone |= stuck[source.nearest as usize];
+        }
+        sources.notice(&network.nodes, before, reach);
     }
     network.width_cm = widths(&network, numbers);
     Ok(network)
 }
 
-/// Sources learn of nodes that are new, which can only be nearer than others, and go where one is within reach.
-fn notice(sources: &mut Vec<Source>, nodes: &[DVec2], first_new: usize, reach: f64) {
-    for source in sources.iter_mut() {
-        for (k, node) in nodes.iter().enumerate().skip(first_new) {
-            let square = node.distance_squared(source.at);
-            if square < source.square {
-                (source.nearest, source.square) = (k as u32, square);
+impl Sources {
+    fn new(places: &[DVec2], side: f64) -> Sources {
+        let cell = |p: DVec2| [(p.x / side).floor() as i64, (p.y / side).floor() as i64];
+        let mut members: BTreeMap<[i64; 2], Vec<u32>> = BTreeMap::new();
+        for (k, &p) in (0..).zip(places) {
+            members.entry(cell(p)).or_default().push(k);
+        }
+        let cells = members.into_values().map(|members| {
+            let places = || members.iter().map(|&k| places[k as usize]);
+            let low = places().fold(DVec2::MAX, DVec2::min);
+            let high = places().fold(DVec2::MIN, DVec2::max);
+            Cell { low, high, members }
+        });
+        let far = |&at: &DVec2| Source { at, nearest: 0, square: f64::INFINITY, is_gone: false };
+        Sources { cells: cells.collect(), all: places.iter().map(far).collect() }
+    }
+
+    /// Sources learn of nodes that are new, which can only be nearer than others, and go where one is within
+    /// reach.
+    fn notice(&mut self, nodes: &[DVec2], first_new: usize, reach: f64) {
+        for cell in &mut self.cells {
+            cell.members.retain(|&k| !self.all[k as usize].is_gone);
+            let squares = cell.members.iter().map(|&k| self.all[k as usize].square);
+            let farthest = squares.fold(0.0, f64::max);
+            for (number, &node) in (first_new as u32..).zip(&nodes[first_new..]) {
+                if node.distance_squared(node.clamp(cell.low, cell.high)) >= farthest {
+                    continue;
+                }
+                for &k in &cell.members {
+                    let source = &mut self.all[k as usize];
+                    let square = node.distance_squared(source.at);
+                    if square < source.square {
+                        (source.nearest, source.square) = (number, square);
+                    }
+                }
+            }
+            for &k in &cell.members {
+                let source = &mut self.all[k as usize];
+                source.is_gone = source.square <= reach * reach;
             }
         }
     }
-    sources.retain(|source| source.square > reach * reach);
 }
 
 /// Murray's law: as wide as all ends behind a node together.
