@@ -336,4 +336,22 @@ mod tests {
         }
         assert_eq!(most, 2);
     }
+
+    #[test]
+    fn portals_lie_on_the_same_edge_if_both_ends_are_near() {
+        let known = [Vec2::ZERO, Vec2::X, Vec2::Y];
+        for entered in 0..3 {
+            let ends = [known[(entered + 1) % 3], known[(entered + 2) % 3]];
+            for (shifts, is_same) in [
+                ([0.0, 0.0], true),
+                ([0.09, 0.09], true),
+                ([0.11, 0.0], false),
+                ([0.0, 0.11], false),
+            ] {
+                let [left, right] = [0, 1].map(|k| ends[k] + Vec2::X * shifts[k]);
+                let portal = Portal { twin: 0, left, right, before: NONE, next: NONE };
+                assert_eq!(same_edge(known, entered, &portal, 0.1), is_same, "{shifts:?}");
+            }
+        }
+    }
 }

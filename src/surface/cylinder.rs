@@ -192,4 +192,18 @@ mod tests {
             assert!((at.0 - turns).abs() < 1e-6 && (at.1 - 0.5).abs() < 1e-6, "{point}: {at:?}");
         }
     }
+
+    #[test]
+    fn angles_are_the_same_at_all_heights_from_the_foot_on() {
+        let base = Vec3::new(1.0, 2.0, 3.0);
+        let cylinder = Cylinder { base, axis: Vec3::Z, zero: Vec3::X, height: 4.0 };
+        for height in [0.0, 0.25, 0.5, 1.0] {
+            for (turns, across) in
+                [(0.0, Vec3::X), (0.25, Vec3::Y), (0.5, -Vec3::X), (0.75, -Vec3::Y)]
+            {
+                let point = base + 2.0 * across + Vec3::Z * (4.0 * height);
+                assert_eq!(cylinder.coordinates(point), (turns, height));
+            }
+        }
+    }
 }

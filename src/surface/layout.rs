@@ -349,4 +349,52 @@ mod tests {
         }
         assert!(flat > 5 && bent > 5, "{flat} flat, {bent} bent");
     }
+
+    #[test]
+    fn triangles_that_would_fold_are_left_as_they_were_unfolded() {
+        // A closed surface cannot be laid flat, and in so wide a reach no gap is too wide.
+        let mesh = crate::surface::icosphere(1, 1.0);
+        let all: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
+        let mut layout = Layout::new(&mesh, 100.0, false);
+        assert_eq!((layout.lay_out(&all, true), layout.is_torn), (Fit::Torn, false));
+        for image in &layout.images {
+            let (laid, shape) = (image.laid.corners(), mesh.corners(image.triangle));
+            for (a, b) in [(0, 1), (1, 2), (2, 0)] {
+                assert!((laid[a].distance(laid[b]) - shape[a].distance(shape[b])).abs() < 1e-4);
+            }
+        }
+    }
+
+    #[test]
+    fn a_triangle_may_keep_three_tenths_of_its_area_and_lie_three_tenths_of_the_reach_apart() {
+        let mesh = crate::surface::icosphere(0, 1.0);
+        let mut layout = Layout::new(&mesh, 5.0, true);
+        assert_eq!(layout.longest_way, 10.0);
+        let corners = mesh.frames[0].corners();
+        for (share, is_up) in [(1.0, true), (0.32, true), (0.28, false), (-1.0, false)] {
+            layout.images = vec![image(0, 0.0, corners.map(|c| c * Vec2::new(1.0, share)))];
+            assert_eq!(layout.all_face_up(), is_up, "{share}");
+        }
+        layout.images.clear();
+        layout.place(0, corners);
+        for (gap, is_torn) in [(0.29, false), (0.31, true)] {
+            let shift = Vec2::X * gap * layout.reach;
+            for (left, right) in [(shift, Vec2::ZERO), (Vec2::ZERO, shift)] {
+                layout.is_torn = false;
+                let (left, right) = (corners[1] + left, corners[2] + right);
+                assert!(layout.meets_known(&Portal { twin: 0, left, right, way: 0.0 }));
+                assert_eq!(layout.is_torn, is_torn, "{gap}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_edge_that_is_a_twentieth_longer_is_a_sixtieth_in_the_mean() {
+        let mesh = crate::surface::icosphere(0, 1.0);
+        let mut layout = Layout::new(&mesh, 1.0, false);
+        let (sin, cos) = libm::sincosf(2.0 * libm::asinf(0.525));
+        let [a, b, _] = mesh.frames[0].corners();
+        layout.images = vec![image(0, 0.0, [a, b, b.x * Vec2::new(cos, sin)])];
+        assert!(layout.is_flat(1));
+    }
 }

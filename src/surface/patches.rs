@@ -336,4 +336,26 @@ mod tests {
         });
         assert!(!all && taken == 3);
     }
+
+    #[test]
+    fn only_narrow_patches_are_bent() {
+        let mesh = cap(12, 1.0);
+        let (mut wide, mut bent) = (0, 0);
+        for reach in [3.0, 8.0] {
+            let mut layout = Layout::new(&mesh, reach, false);
+            for patch in patches(&mesh, 1e9, reach, 0.0) {
+                let own: Vec<u32> = patch.images[..patch.own].iter().map(|i| i.triangle).collect();
+                let fit = layout.lay_out(&own, false);
+                // Half the reach wide at most.
+                if own.iter().map(|&t| mesh.areas[t as usize]).sum::<f32>() <= 0.25 * reach * reach
+                {
+                    bent += u32::from(own.len() > 1 && fit == Fit::Bent);
+                } else {
+                    assert_eq!(fit, Fit::Flat);
+                    wide += 1;
+                }
+            }
+        }
+        assert!(wide > 0 && bent > 0, "{wide} wide, {bent} bent");
+    }
 }

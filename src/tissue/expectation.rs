@@ -87,3 +87,46 @@ pub fn clans(division_days: f64, days: usize) -> Vec<Expected> {
     let clan = |(&mean, &square): (&f64, &f64)| Expected { mean, variance: square - mean * mean };
     means.iter().zip(&squares).map(clan).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clans_of_the_first_day_are_as_large_as_binary_trees() {
+        // Who divides at once leaves two who do so again: of n cells there are as many trees as the
+        // Catalan number of n - 1 says, each of n - 1 divisions and n waits.
+        let q = libm::exp(-2.0);
+        let (mut chance, mut mean, mut square) = (1.0 - q, 0.0, 0.0);
+        for n in (1..=200).map(f64::from) {
+            mean += n * chance;
+            square += n * n * chance;
+            chance *= 2.0 * (2.0 * n - 1.0) / (n + 1.0) * q * (1.0 - q);
+        }
+        let [clan] = clans(2.0, 0)[..] else { panic!("one day") };
+        assert!((clan.mean - mean).abs() < 1e-12, "{clan:?}");
+        assert!((clan.variance - (square - mean * mean)).abs() < 1e-12, "{clan:?}");
+    }
+
+    #[test]
+    fn the_least_memory_is_that_of_all_days_and_of_the_cells_of_the_last() {
+        let recipe = Recipe {
+            initial_cells: 1000,
+            max_cells: 1500,
+            division_days: [1.0, 2.0, 4.0],
+            clock: Clock::Exponential,
+            ..Recipe::default()
+        };
+        // The last are as many as the cap lets be.
+        let (second, third) = (1000.0 * libm::exp(0.25), 1500.0);
+        for (days, expected) in [
+            (0, 12.0 * 1000.0 + 200.0 * 1000.0),
+            (1, 12.0 * 2000.0 + 200.0 * 1000.0),
+            (2, 12.0 * (2000.0 + second) + 200.0 * second),
+            (3, 12.0 * (2000.0 + second + third) + 200.0 * third),
+        ] {
+            let found = least_memory_bytes(&Recipe { days, ..recipe.clone() });
+            assert!((found - expected).abs() < 1e-6, "{days}: {found} and not {expected}");
+        }
+    }
+}

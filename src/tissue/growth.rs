@@ -223,3 +223,27 @@ fn sow(
         })
         .unzip()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_full_stays_full() {
+        let mesh = Arc::new(crate::surface::icosphere(1, 10.0));
+        let recipe = Recipe {
+            initial_cells: 20,
+            max_cells: 20,
+            division_days: [1.5; 3],
+            initial_relaxations: 0,
+            relaxations_per_day: 0,
+            days: 30,
+            ..Recipe::default()
+        };
+        let mut growth = Growth::new(mesh, recipe, &[], 1).unwrap();
+        while growth.step() != Progress::Full {}
+        let days = growth.diary.days.len();
+        assert!((0..200).all(|_| growth.step() == Progress::Full));
+        assert_eq!((growth.diary.days.len(), growth.diary.lineage.len()), (days, 20));
+    }
+}

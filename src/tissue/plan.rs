@@ -264,3 +264,44 @@ impl Neighbourhood {
 pub(super) fn look_cm(mesh: &Mesh, cells: usize, radius: f32) -> f32 {
     radius.max(BOX_SPACINGS * (mesh.area / cells as f32).sqrt())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn budgets_grow_with_what_is_done_as_far_as_their_images() {
+        let budget = Budget { images: 100.0, early_times: 4.0 };
+        for (done, most) in [(0.0, 5.0), (0.125, 55.0), (0.5, 100.0), (1.0, 100.0)] {
+            assert!(budget.lasts(most - 0.1, done) && !budget.lasts(most + 0.1, done), "{done}");
+        }
+    }
+
+    #[test]
+    fn patches_of_many_cells_are_four_repulsive_radii_wide() {
+        // A flat square of 32 cm in 512 triangles of 2 square centimetres.
+        let n = 16;
+        let at = |k: u32| Vec3::new((k % (n + 1)) as f32, (k / (n + 1)) as f32, 0.0) * 2.0;
+        let square = |k: u32| {
+            let v = k % n + (n + 1) * (k / n);
+            [[v, v + 1, v + n + 2], [v, v + n + 2, v + n + 1]]
+        };
+        let positions = (0..(n + 1) * (n + 1)).map(at).collect();
+        let mesh = Mesh::new(positions, Vec::new(), (0..n * n).flat_map(square).collect()).unwrap();
+        // 192 cells of these have 20 square centimetres.
+        let plan = Plan::new(&mesh, 10_000, 2.0);
+        let most = plan.patches.iter().map(|patch| patch.own.len()).max();
+        assert!((17..=32).contains(&most.unwrap()), "{most:?} triangles, of (4 * 2 cm)^2 or half");
+    }
+
+    #[test]
+    fn a_bin_is_found_in_the_run_that_holds_it_alone() {
+        let laid = Laid::at([Vec2::ZERO, Vec2::X, Vec2::Y]);
+        let run = |first_bin, end_bin| Run { first_bin, end_bin, laid };
+        let around = [run(2, 4), run(4, 5), run(8, 9)].into();
+        let patch = Neighbourhood { own: 0..0, around, low: Vec2::ZERO, high: Vec2::ZERO };
+        let found = [1, 2, 3, 4, 5, 7, 8, 9].map(|bin| patch.run_of(bin).map(|run| run.first_bin));
+        assert_eq!(found, [None, Some(2), Some(2), Some(4), None, None, Some(8), None]);
+    }
+}

@@ -201,3 +201,29 @@ impl Row {
         Place { triangle, b1: self.b1, b2: self.b2 }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tissue::chance::{Purpose, uniform};
+
+    #[test]
+    fn full_bins_are_those_that_cells_lie_in() {
+        let mesh = crate::surface::icosphere(2, 10.0);
+        let share = |k, turn| 0.5 * uniform(k, turn, Purpose::Clock) as f32;
+        let places: Vec<Place> = (0..200)
+            .map(|k| Place {
+                triangle: k * k % 317,
+                b1: share(k.into(), 0),
+                b2: share(k.into(), 1),
+            })
+            .collect();
+        let mut crowd = Crowd::default();
+        crowd.gather(&mesh, &places, |_| 0, 1.0);
+        let mut bins: Vec<u32> = places.iter().map(|&place| crowd.plan.bin(place)).collect();
+        bins.sort_unstable();
+        bins.dedup();
+        assert!(bins.len() < crowd.plan.bins_in_all());
+        assert_eq!(crowd.full_bins(), bins);
+    }
+}
