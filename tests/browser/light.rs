@@ -40,7 +40,7 @@ fn a_matt_cell_in_full_light_has_its_colour() {
         "const write = GPUQueue.prototype.writeBuffer;
          GPUQueue.prototype.writeBuffer = function (buffer, at, data, from = 0, size) {
              const frame = new Float32Array(data.slice(from, from + (size ?? data.length)).buffer);
-             if (frame.length !== 152) return write.call(this, buffer, at, data, from, size);
+             if (frame.length !== 184) return write.call(this, buffer, at, data, from, size);
              for (const place of [66, 84, 85]) frame[place] = 0;
              window.matt = true;
              write.call(this, buffer, at, frame)
