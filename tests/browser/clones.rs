@@ -17,8 +17,10 @@ fn wait_for_card(page: &Page, is_there: bool) {
 fn a_clone_is_taken_followed_and_let_go_by_keys() {
     let Some(page) = Page::open(Graphics::WebGpu, LINK) else { return };
     page.on_day(4);
-    let plain = page.picture();
+    // With the ring of the focus, which keys make visible.
     page.run("document.getElementById('stage').focus()");
+    page.press(&[keys::ESCAPE]);
+    let plain = page.picture();
     page.press(&[keys::ENTER]);
     wait_for_card(&page, true);
     let title = page.text("clone-title");
