@@ -2,6 +2,7 @@
 
 use clonal_mosaic::plants;
 use clonal_mosaic::play::link;
+use clonal_mosaic::play::parameters::PARAMETERS;
 use clonal_mosaic::tissue::Progress;
 use std::sync::Arc;
 
@@ -49,4 +50,24 @@ fn write_golden_links_anew() {
     let text: Vec<String> = comments.chain(rows).collect();
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden_links.txt");
     std::fs::write(path, text.join("\n") + "\n").unwrap();
+}
+
+#[test]
+fn every_word_of_a_link_is_documented_with_its_range() {
+    let page = include_str!("../docs/links.md");
+    let row = |word: &str| page.lines().find(|line| line.starts_with(&format!("| `{word}` |")));
+    for parameter in PARAMETERS {
+        let [least, most] = parameter.range;
+        let row = row(parameter.key).unwrap_or_else(|| panic!("no row for {}", parameter.key));
+        assert!(row.ends_with(&format!("| {least} | {most} |")), "{row}");
+    }
+    for plant in plants::all() {
+        assert!(page.contains(&format!("`{}`", plant.key)), "{}", plant.key);
+    }
+    let words = page.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+    assert_eq!(words.clone().count(), PARAMETERS.len() + 7);
+    for word in words {
+        let told = link::read(&format!("red-croton?{word}=?"), plants::all()).left_out;
+        assert!(!told.iter().any(|why| why.contains("unknown to this")), "{word}: {told:?}");
+    }
 }

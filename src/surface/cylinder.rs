@@ -70,7 +70,7 @@ impl Cylinder {
                 "axis and zero of a cylinder must be of length 1 and at a right angle".into()
             );
         }
-        if !(self.base.abs().max_element() <= 10_000.0) {
+        if !self.base.to_array().iter().all(|x| x.abs() <= 10_000.0) {
             return Err(format!(
                 "the base of a cylinder is {}: it must be within 10,000 cm",
                 self.base
