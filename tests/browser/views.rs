@@ -82,7 +82,8 @@ pub fn views_agree(engine: impl Into<Engine>) {
     assert_eq!(page.ready(), state, "nothing grew");
     assert_eq!(page.complaints(), [""; 0]);
     page.choose("cactus");
-    page.wait_for("no choice", "return document.getElementById('shows').hidden");
+    let offered = "return [...document.getElementById('show').options].map(o => o.value).join()";
+    page.wait_for("nothing that leads", &format!("{offered} === 'cells,clans'"));
 }
 
 /// Chooses something to be shown, as a visitor does; the picture of it.
