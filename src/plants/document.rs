@@ -100,6 +100,10 @@ impl Plant {
     pub fn from_json(text: &str) -> Result<Plant, PlantError> {
         // What editors of Windows put before a text.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        // A list would be taken for the fields in their order.
+        if text.trim_start().starts_with('[') {
+            return Err(PlantError("the plant: an object {...} is needed, not a list".to_string()));
+        }
         let mut json = serde_json::Deserializer::from_str(text);
         let read = serde_path_to_error::deserialize(&mut json);
         let document: Document = read.map_err(|e| {

@@ -72,6 +72,7 @@ fn what_is_no_plant_is_refused_in_one_line() {
         (text.replace("\"rims\"", "\"rimes\""), "paint[1].image.rule"),
         (text.replace("\"view\"", "\"vue\""), "vue"),
         ("{}".to_string(), "missing field"),
+        (" [1, {}]".to_string(), "an object {...} is needed, not a list"),
         ("no".to_string(), "the plant is no JSON"),
     ] {
         let document = file("refused.json", &text);
