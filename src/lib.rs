@@ -9,6 +9,7 @@ pub mod browser;
 #[cfg(feature = "draw")]
 pub mod draw;
 pub mod export;
+pub mod import;
 pub mod mosaic;
 pub mod plants;
 pub mod play;

@@ -5,16 +5,17 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each room and the rooms that it may import.
-const ROOMS: [(&str, &[&str]); 10] = [
+const ROOMS: [(&str, &[&str]); 11] = [
     ("surface", &[]),
     ("shapes", &["surface"]),
     ("tissue", &["surface"]),
     ("mosaic", &["surface", "tissue"]),
     ("plants", &["surface", "tissue", "mosaic"]),
     ("play", &["surface", "tissue", "mosaic", "plants"]),
-    ("export", &["surface", "tissue", "mosaic", "plants"]),
+    ("export", &["surface", "tissue", "mosaic", "plants", "play"]),
+    ("import", &["tissue", "plants", "play"]),
     ("draw", &["surface", "mosaic", "plants"]),
-    ("browser", &["surface", "tissue", "mosaic", "plants", "play", "export", "draw"]),
+    ("browser", &["surface", "tissue", "mosaic", "plants", "play", "export", "import", "draw"]),
     ("bin", &["surface", "shapes", "tissue", "mosaic", "plants", "play", "export", "browser"]),
 ];
 

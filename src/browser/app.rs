@@ -359,7 +359,7 @@ impl App {
 
 async fn load_mesh(name: &'static str) {
     let file = files::address(&format!("meshes/{}?build={BUILD}", name.replace(".obj", ".txt")));
-    let text = mail::fetch_text(&file).await.map(|packed| unpack(&packed));
+    let text = files::read_text(&file).await.map(|packed| unpack(&packed));
     send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
     send(Event::Mesh { name, text });
 }

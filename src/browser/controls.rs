@@ -2,6 +2,7 @@
 //! element carries for tests and embedders.
 
 use super::app;
+use super::boot;
 use super::dom::{
     Listener, document, find, on, set_attribute, set_flag, set_style, set_text, window,
 };
@@ -43,6 +44,16 @@ impl Controls {
             [("undo", Event::Undo), ("redo", Event::Redo), ("framing", Event::ResetView)]
         {
             listeners.push(click(id, move || app::send(event.clone())));
+        }
+        for door in ["take-away", "charts"] {
+            listeners.push(click(door, move || load_studio(door)));
+        }
+        for kind in ["dragover", "drop"] {
+            // Or else the browser goes to the file, away from the plant.
+            listeners.push(on(&document(), kind, |event: web_sys::Event| {
+                event.prevent_default();
+                load_studio("drop");
+            }));
         }
         listeners.push(on(&find::<Element>("panel"), "submit", |event: web_sys::Event| {
             event.prevent_default();
@@ -172,6 +183,19 @@ pub fn copy_link() {
         } else {
             app::tell(&format!("Copy this link: {address}"));
         }
+    });
+}
+
+/// Loads the studio when it is first wanted; then it listens itself.
+fn load_studio(wanted: &'static str) {
+    let root = document().document_element().expect("a document has a root");
+    if root.has_attribute("data-studio") {
+        return;
+    }
+    set_attribute(&root, "data-studio", wanted);
+    boot::load("studio", move || {
+        set_flag(&root, "data-studio", false);
+        app::tell("The studio could not be loaded. Please try again.");
     });
 }
 

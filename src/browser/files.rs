@@ -3,7 +3,9 @@
 
 use super::dom::{document, set_attribute, window};
 use js_sys::Array;
-use web_sys::{Blob, BlobPropertyBag, Url, Worker, WorkerOptions, WorkerType};
+use wasm_bindgen::JsCast;
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{Blob, BlobPropertyBag, Response, Url, Worker, WorkerOptions, WorkerType};
 
 /// The address of a file, given its path beside the page; a query counts for a host only.
 pub fn address(path: &str) -> String {
@@ -36,7 +38,6 @@ pub fn is_held(address: &str) -> bool {
 }
 
 /// Starts a bundle as a worker; None where the browser starts none.
-#[cfg_attr(not(feature = "draw"), allow(dead_code))]
 pub fn start_worker(bundle: &str) -> Option<Worker> {
     let address = in_bundles(&format!("{bundle}.js"));
     if is_held(&address) {
@@ -51,6 +52,17 @@ pub fn start_worker(bundle: &str) -> Option<Worker> {
     let options = WorkerOptions::new();
     options.set_type(WorkerType::Module);
     Worker::new_with_options(&address, &options).ok()
+}
+
+/// What stands in a text file; in an error, why it cannot be had.
+pub async fn read_text(address: &str) -> Result<String, String> {
+    let answer = JsFuture::from(window().fetch_with_str(address)).await;
+    let answer: Response = answer.map_err(|_| "no connection")?.unchecked_into();
+    if !answer.ok() {
+        return Err(format!("the server answers {}", answer.status()));
+    }
+    let text = JsFuture::from(answer.text().map_err(|_| "no text")?).await;
+    text.ok().and_then(|text| text.as_string()).ok_or_else(|| "the connection broke".to_string())
 }
 
 /// An address, within this page, of a text: scripts must say what they are, others may say the same.

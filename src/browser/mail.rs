@@ -6,8 +6,7 @@ use super::files;
 use crate::play::protocol::{BUILD, ToPage, ToWorker};
 use js_sys::Uint32Array;
 use wasm_bindgen::JsCast;
-use wasm_bindgen_futures::JsFuture;
-use web_sys::{ErrorEvent, MessageEvent, Response, Worker};
+use web_sys::{ErrorEvent, MessageEvent, Worker};
 
 /// Remembers, for this tab, that the page was loaded again because of a worker of another build.
 const RELOADED: &str = "mosaic-reloaded-for";
@@ -53,17 +52,6 @@ impl Drop for Mail {
     fn drop(&mut self) {
         self.worker.terminate();
     }
-}
-
-/// What stands in a text file; in an error, why it cannot be had.
-pub async fn fetch_text(address: &str) -> Result<String, String> {
-    let answer = JsFuture::from(dom::window().fetch_with_str(address)).await;
-    let answer: Response = answer.map_err(|_| "no connection")?.unchecked_into();
-    if !answer.ok() {
-        return Err(format!("the server answers {}", answer.status()));
-    }
-    let text = JsFuture::from(answer.text().map_err(|_| "no text")?).await;
-    text.ok().and_then(|text| text.as_string()).ok_or_else(|| "the connection broke".to_string())
 }
 
 /// Loads the page again because page and worker are of different builds; false if that was tried

@@ -39,6 +39,7 @@ mod sheet;
 mod show;
 #[cfg(feature = "draw")]
 mod stage;
+mod studio;
 #[cfg(feature = "draw")]
 mod surroundings;
 #[cfg(feature = "draw")]
@@ -51,6 +52,12 @@ mod worker;
 /// Starts the bundle that chooses among the others.
 pub fn start_boot() {
     boot::boot();
+}
+
+/// Starts the studio, or, where it was started as a worker, its worker.
+pub fn start_studio() {
+    console_error_panic_hook::set_once();
+    if web_sys::window().is_some() { studio::start() } else { studio::start_worker() }
 }
 
 /// Starts the service worker, which keeps a build of which all files are named.

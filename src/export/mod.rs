@@ -1,13 +1,19 @@
 //! Files out: tables, and the plant of a day as other programs read it.
 
 mod cells;
+mod chart;
 mod clones;
 mod convex;
+mod course;
+mod days;
 mod flat;
 mod glb;
 mod joints;
+mod kind;
 mod obj;
+mod order;
 mod outlines;
+mod picture;
 mod ply;
 mod solid;
 mod specimen;
@@ -18,12 +24,12 @@ mod tiling;
 mod zip;
 
 pub use cells::write_cells;
-pub use clones::write_clones;
-pub use glb::write_glb;
-pub use obj::{write_mtl, write_obj};
-pub use ply::write_ply;
-pub use specimen::{Bare, Coloured, Specimen};
-pub use svg::Pattern;
-pub use three_mf::write_3mf;
-pub use tile::Tile;
+pub use chart::Chart;
+pub use course::{sizes_of_clans, the_course};
+pub use days::DayNumbers;
+pub use kind::Kind;
+pub use order::{Order, Written};
+pub use picture::write_picture;
+pub use specimen::Specimen;
 pub use tiling::{Facet, Point, Tiling};
+pub use zip::write_zip;

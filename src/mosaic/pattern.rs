@@ -3,9 +3,10 @@
 use super::{Piece, polygons};
 use crate::surface::{Charts, Mesh};
 use crate::tissue::{CellType, DayCount, Diary};
+use serde::{Deserialize, Serialize};
 
 /// A day's pattern in numbers. Arrays are indexed by `CellType`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pattern {
     pub count: DayCount,
     /// Share of the whole surface that is in the polygons of each type, 0 to 1. A part without
@@ -13,6 +14,8 @@ pub struct Pattern {
     pub area_shares: [f64; 3],
     /// Patches of each type: sets of its cells that hang together by neighbours.
     pub patches: [u32; 3],
+    /// Cells of the largest patch of each type.
+    pub largest_patches: [u32; 3],
     /// Share of the pairs of neighbours that are of unlike type, 0 to 1; 0 where nobody has one.
     pub mixed_edges: f64,
 }
@@ -25,10 +28,12 @@ impl Pattern {
         let kind = |cell: u32| diary.lineage[cell as usize].kind;
         let pairs = neighbours(&pieces);
         let mixed = pairs.iter().filter(|&&[a, b]| kind(a) != kind(b)).count();
+        let (patches, largest_patches) = patches(&pairs, places.len(), kind);
         Pattern {
             count: diary.count(day),
             area_shares: area_shares(mesh, &pieces, kind),
-            patches: patches(&pairs, places.len(), kind),
+            patches,
+            largest_patches,
             mixed_edges: mixed as f64 / pairs.len().max(1) as f64,
         }
     }
@@ -61,22 +66,28 @@ fn area_shares(mesh: &Mesh, pieces: &[Piece], kind: impl Fn(u32) -> CellType) ->
     areas.map(|area| area / f64::from(mesh.area))
 }
 
-/// Joins neighbours of like type until only patches are left.
-fn patches(pairs: &[[u32; 2]], cells: usize, kind: impl Fn(u32) -> CellType) -> [u32; 3] {
+/// Joins neighbours of like type until only patches are left: how many there are of each type, and the cells of
+/// the largest.
+fn patches(
+    pairs: &[[u32; 2]],
+    cells: usize,
+    kind: impl Fn(u32) -> CellType,
+) -> ([u32; 3], [u32; 3]) {
     // Each cell points to one of its patch, at last to the one that stands for it.
     let mut towards: Vec<u32> = (0..cells as u32).collect();
-    let mut count = [0; 3];
-    for cell in 0..cells as u32 {
-        count[kind(cell) as usize] += 1;
-    }
     for &[a, b] in pairs.iter().filter(|&&[a, b]| kind(a) == kind(b)) {
         let [a, b] = [a, b].map(|cell| follow(&mut towards, cell));
-        if a != b {
-            towards[a.max(b) as usize] = a.min(b);
-            count[kind(a) as usize] -= 1;
-        }
+        towards[a.max(b) as usize] = a.min(b);
     }
-    count
+    let (mut count, mut largest) = ([0; 3], [0; 3]);
+    let mut members = vec![0; cells];
+    for cell in 0..cells as u32 {
+        let (stands, kind) = (follow(&mut towards, cell), kind(cell) as usize);
+        members[stands as usize] += 1;
+        count[kind] += u32::from(stands == cell);
+        largest[kind] = largest[kind].max(members[stands as usize]);
+    }
+    (count, largest)
 }
 
 /// The cell that stands for a cell's patch; ways that were gone are shortened by half.

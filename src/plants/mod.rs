@@ -20,6 +20,7 @@ mod croton;
 mod croton_shrub;
 mod diagram;
 mod document;
+mod expected;
 mod guides;
 mod long_watermelon;
 mod look;

@@ -2,6 +2,7 @@
 
 use super::CellType;
 use crate::surface::Place;
+use serde::{Deserialize, Serialize};
 
 /// What never changes about a cell. Cells are numbered in the order of their birth, so the cells
 /// of a day are the first ones of the list.
@@ -33,7 +34,7 @@ pub struct Diary {
 }
 
 /// How many cells of each type a day has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DayCount {
     pub cells: u32,
     /// By `CellType`.

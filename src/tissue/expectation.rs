@@ -1,9 +1,10 @@
 //! Exact means and variances of populations, to test the growth against.
 
 use super::{CellType, Clock, Control, Recipe, Use};
+use serde::{Deserialize, Serialize};
 
 /// How many cells there are in the mean over all individuals, and how far they vary.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Expected {
     pub mean: f64,
     pub variance: f64,
@@ -88,6 +89,67 @@ pub fn clans(division_days: f64, days: usize) -> Vec<Expected> {
     means.iter().zip(&squares).map(clan).collect()
 }
 
+/// Sizes of clans in steps of twice as many cells: 1, 2, 3 to 4, 5 to 8, 9 to 16, 17 to 32, 33 to 64, and more.
+pub const CLAN_STEPS: usize = 8;
+
+/// The step of a clan of so many cells, one at least.
+pub fn clan_step(cells: u32) -> usize {
+    (cells.next_power_of_two().trailing_zeros() as usize).min(CLAN_STEPS - 1)
+}
+
+/// The chance of each step of sizes for the clan of a cell of age 0 on a day of its life, exactly; its cells may
+/// mutate, as long as all types divide alike.
+///
+/// With an exponential clock sizes are geometric: `P(n) = x (1 - x)^(n-1)` with `x = e^(-days / division_days)`.
+/// With a Poisson clock, where `q_k` is the chance that the first division is on day k and day 0 is the
+/// first, `P_t(1) = 1 - sum_{k<=t} q_k` and `P_t(n) = sum_{k<=t} q_k sum_i P_{t-k}(i) P_{t-k}(n-i)`.
+pub fn clan_sizes(clock: Clock, division_days: f64, days: u32) -> [f64; CLAN_STEPS] {
+    const MOST: usize = 1 << (CLAN_STEPS - 2);
+    let by_size = match clock {
+        _ if days == 0 => vec![0.0, 1.0],
+        Clock::Exponential => {
+            let x = libm::exp(-f64::from(days) / division_days);
+            let mut chance = x;
+            let mut by_size = vec![0.0];
+            for _ in 1..=MOST {
+                by_size.push(chance);
+                chance *= 1.0 - x;
+            }
+            by_size
+        }
+        Clock::Poisson => poisson_clan_sizes(division_days, days as usize - 1, MOST),
+    };
+    let mut steps = [0.0; CLAN_STEPS];
+    for (cells, chance) in (0..).zip(&by_size).skip(1) {
+        steps[clan_step(cells)] += chance;
+    }
+    steps[CLAN_STEPS - 1] = (1.0 - steps.iter().sum::<f64>()).max(0.0);
+    steps
+}
+
+/// The chances of the sizes `0..=most` when the divisions up to day `t` are done.
+fn poisson_clan_sizes(division_days: f64, t: usize, most: usize) -> Vec<f64> {
+    let mut q = vec![libm::exp(-division_days)];
+    for k in 1..=t {
+        q.push(q[k - 1] * division_days / k as f64);
+    }
+    // Two clans of a day together.
+    let mut pairs: Vec<Vec<f64>> = Vec::new();
+    let mut sizes = Vec::new();
+    for t in 0..=t {
+        sizes = vec![0.0; most + 1];
+        sizes[1] = 1.0 - q[..=t].iter().sum::<f64>();
+        let mut pair = vec![0.0; most + 1];
+        for n in 2..=most {
+            pair[n] = (1..n).map(|i| sizes[i] * sizes[n - i]).sum();
+            let later: f64 = (1..=t).map(|k| q[k] * pairs[t - k][n]).sum();
+            sizes[n] = q[0] * pair[n] + later;
+        }
+        pairs.push(pair);
+    }
+    sizes
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -106,6 +168,32 @@ mod tests {
         let [clan] = clans(2.0, 0)[..] else { panic!("one day") };
         assert!((clan.mean - mean).abs() < 1e-12, "{clan:?}");
         assert!((clan.variance - (square - mean * mean)).abs() < 1e-12, "{clan:?}");
+    }
+
+    #[test]
+    fn chances_of_sizes_have_the_mean_of_clans_and_are_one_together() {
+        for (division_days, days) in [(10.0, 1), (10.0, 12), (4.0, 9), (2.0, 5)] {
+            let sizes = poisson_clan_sizes(division_days, days, 4096);
+            let expected = clans(division_days, days)[days];
+            let sum = |f: &dyn Fn(f64) -> f64| {
+                sizes.iter().enumerate().map(|(n, p)| f(n as f64) * p).sum::<f64>()
+            };
+            assert!((sum(&|_| 1.0) - 1.0).abs() < 1e-9);
+            assert!((sum(&|n| n) - expected.mean).abs() < 1e-6 * expected.mean);
+            let variance = sum(&|n| n * n) - expected.mean * expected.mean;
+            assert!((variance - expected.variance).abs() < 1e-4 * expected.variance.max(1e-3));
+        }
+    }
+
+    #[test]
+    fn steps_of_sizes_are_powers_of_two() {
+        let steps = [1, 2, 3, 4, 5, 8, 9, 64, 65, 1_000_000].map(clan_step);
+        assert_eq!(steps, [0, 1, 2, 2, 3, 3, 4, 6, 7, 7]);
+        // Half of all have not divided after one half-life.
+        let sizes = clan_sizes(Clock::Exponential, 1.0 / std::f64::consts::LN_2, 1);
+        assert!((sizes[0] - 0.5).abs() < 1e-12 && (sizes[1] - 0.25).abs() < 1e-12);
+        assert!((sizes.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+        assert_eq!(clan_sizes(Clock::Poisson, 5.0, 0)[0], 1.0);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use clonal_mosaic::plants;
 use clonal_mosaic::play::figures::Figure;
 use clonal_mosaic::play::{Scene, link};
 use clonal_mosaic::surface::{Charts, Mesh, quoted};
-use clonal_mosaic::tissue::{Diary, Expected, Progress, Recipe, expected_cells};
+use clonal_mosaic::tissue::{Progress, Recipe};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -128,7 +128,7 @@ impl Subject {
                 Progress::Event | Progress::Day(_) => {}
             }
         }
-        let expected = self.expected(&recipe, &growth.diary);
+        let expected = scene.plant.expected_cells(&self.mesh, &recipe, &growth.diary, scene.day);
         let painted = noise.map(|noise| noise.paint(&self.mesh, &growth.diary, day as usize));
         let diary = painted.unwrap_or(growth.diary);
         let pattern = Pattern::of(&self.mesh, &mut Charts::new(&self.mesh), &diary, day as usize);
@@ -146,25 +146,6 @@ impl Subject {
             mixed_edges: pattern.mixed_edges,
             expected: expected.map(|e| [e.mean, e.variance]),
         })
-    }
-
-    /// What the model says of the first cells of an individual, each part at its own age.
-    fn expected(&self, recipe: &Recipe, diary: &Diary) -> Option<Expected> {
-        let plant = self.scene.plant;
-        let mut by_age = BTreeMap::<u32, [u32; 3]>::new();
-        for (place, cell) in diary.days[0].places.iter().zip(&diary.lineage) {
-            let part = self.mesh.parts[place.triangle as usize] as usize;
-            let unfolded = plant.motion.unfolding_days.get(part).copied().unwrap_or(0);
-            let age = self.scene.day.saturating_sub(unfolded);
-            by_age.entry(age).or_default()[cell.kind as usize] += 1;
-        }
-        let mut all = Expected::default();
-        for (age, first_cells) in by_age {
-            let of_age = expected_cells(recipe, &plant.controls(), first_cells, age as usize)?;
-            all.mean += of_age.mean;
-            all.variance += of_age.variance;
-        }
-        Some(all)
     }
 }
 

@@ -8,7 +8,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgAction, Args, Parser, Subcommand};
 use clonal_mosaic::plants;
 use clonal_mosaic::surface::quoted;
-pub use export::{ExportOptions, Kind};
+pub use export::ExportOptions;
 use std::error::Error;
 use std::path::PathBuf;
 

@@ -2,6 +2,7 @@
 
 use super::{FIRST_PLANT, Source, presets, whole};
 use clap::Args;
+use clonal_mosaic::export::Kind;
 use std::path::{Path, PathBuf};
 
 #[derive(Args)]
@@ -54,52 +55,15 @@ struct Wanted {
     /// Its cells on a flat square that can be laid side by side without a seam, as PNG, 2048 pixels wide
     #[arg(long, value_name = "OUT.png")]
     tile: Option<PathBuf>,
+    /// Its days up to this one as a table: cells, shares and patches of each type, and how many cells to expect
+    #[arg(long, value_name = "OUT.csv")]
+    days: Option<PathBuf>,
     /// Its clones as a table: founder,type,born_day,cells,F,B,M,area_cm2,part
     #[arg(long, value_name = "OUT.csv")]
     clones: Option<PathBuf>,
     /// Its cells as a table: id,parent,founder,type,part,triangle,x,y,z,born_day
     #[arg(long, value_name = "OUT.csv")]
     cells: Option<PathBuf>,
-}
-
-/// A kind of file.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    Glb,
-    Ply,
-    Obj,
-    ThreeMf,
-    Svg,
-    Tile,
-    Clones,
-    Cells,
-}
-
-impl Kind {
-    pub const ALL: [Kind; 8] = [
-        Kind::Glb,
-        Kind::Ply,
-        Kind::Obj,
-        Kind::ThreeMf,
-        Kind::Svg,
-        Kind::Tile,
-        Kind::Clones,
-        Kind::Cells,
-    ];
-
-    /// Its word on the command line.
-    pub fn word(self) -> &'static str {
-        match self {
-            Kind::Glb => "glb",
-            Kind::Ply => "ply",
-            Kind::Obj => "obj",
-            Kind::ThreeMf => "3mf",
-            Kind::Svg => "svg",
-            Kind::Tile => "tile",
-            Kind::Clones => "clones",
-            Kind::Cells => "cells",
-        }
-    }
 }
 
 impl ExportOptions {
@@ -117,7 +81,7 @@ impl ExportOptions {
     }
 
     fn path(&self, kind: Kind) -> Option<&Path> {
-        let Wanted { glb, ply, obj, three_mf, svg, tile, clones, cells } = &self.wanted;
+        let Wanted { glb, ply, obj, three_mf, svg, tile, days, clones, cells } = &self.wanted;
         let path = match kind {
             Kind::Glb => glb,
             Kind::Ply => ply,
@@ -125,6 +89,7 @@ impl ExportOptions {
             Kind::ThreeMf => three_mf,
             Kind::Svg => svg,
             Kind::Tile => tile,
+            Kind::Days => days,
             Kind::Clones => clones,
             Kind::Cells => cells,
         };

@@ -1,0 +1,6 @@
+//! The studio, which the page loads when something of it is first wanted, and its worker.
+
+fn main() {
+    #[cfg(target_arch = "wasm32")]
+    clonal_mosaic::browser::start_studio();
+}

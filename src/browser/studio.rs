@@ -1,0 +1,76 @@
+//! The studio: what a visitor does with a plant once it stands there. It is a bundle of its own, which the
+//! page loads when it is first wanted, and has no private door into the page: a scene comes in as the link that
+//! the page would print, a file goes out, and a scene goes back as the address.
+
+mod charts;
+mod files;
+mod picture;
+mod subject;
+mod take_away;
+mod work;
+mod worker;
+
+use super::dom::{document, find, on, set_attribute};
+use charts::ChartView;
+use std::cell::RefCell;
+use take_away::TakeAway;
+use wasm_bindgen::JsCast;
+use web_sys::{Element, Event, HtmlElement};
+
+pub use worker::start_worker;
+
+thread_local! {
+    static STUDIO: RefCell<Option<Studio>> = const { RefCell::new(None) };
+}
+
+struct Studio {
+    take_away: TakeAway,
+    charts: ChartView,
+}
+
+/// Puts the studio into the page, and opens what was wanted when it was loaded.
+pub fn start() {
+    wear(include_str!("studio/studio.css"));
+    let body = document().body().expect("a page has a body");
+    let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
+    let panel: Element = find("panel");
+    let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
+    STUDIO.set(Some(Studio { take_away: TakeAway::new(), charts: ChartView::new() }));
+    for door in ["take-away", "charts"] {
+        let button: HtmlElement = find(door);
+        // It is there as long as the page is.
+        std::mem::forget(on(&button, "click", move |_: Event| open(door)));
+    }
+    files::take_what_is_dropped();
+    let root = document().document_element().expect("a document has a root");
+    if let Some(wanted) = root.get_attribute("data-studio") {
+        open(&wanted);
+    }
+    set_attribute(&root, "data-studio", "here");
+}
+
+fn open(door: &str) {
+    with(|studio| match door {
+        "take-away" => studio.take_away.open(),
+        "charts" => studio.charts.toggle(),
+        // What was dropped is heard of by itself.
+        _ => {}
+    });
+}
+
+fn with(f: impl FnOnce(&mut Studio)) {
+    STUDIO.with_borrow_mut(|studio| studio.as_mut().map(f));
+}
+
+/// Adds a style of ours. The policy of the page lets none stand in the document, but sheets that scripts make.
+fn wear(css: &str) {
+    let Ok(sheet) = web_sys::CssStyleSheet::new() else { return };
+    let _ = sheet.replace_sync(css);
+    let sheets = js_sys::Reflect::get(&document(), &"adoptedStyleSheets".into());
+    if let Ok(sheets) = sheets.and_then(|sheets| sheets.dyn_into::<js_sys::Object>()) {
+        let push = js_sys::Reflect::get(&sheets, &"push".into());
+        if let Ok(push) = push.and_then(|push| push.dyn_into::<js_sys::Function>()) {
+            let _ = push.call1(&sheets, &sheet);
+        }
+    }
+}

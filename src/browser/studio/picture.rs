@@ -1,0 +1,36 @@
+//! The picture that the page would print, as a PNG with its link inside, and the link as a QR code.
+
+use crate::browser::dom::find;
+use crate::export::write_picture;
+use qrcodegen::{QrCode, QrCodeEcc};
+use std::fmt::Write;
+use wasm_bindgen::JsCast;
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
+
+/// The PNG of what the page has put there to be printed; None where nothing could be drawn.
+pub fn png(link: &str) -> Option<Vec<u8>> {
+    let canvas: HtmlCanvasElement = find("printed");
+    let pen: CanvasRenderingContext2d = canvas.get_context("2d").ok()??.unchecked_into();
+    let (width, height) = (canvas.width(), canvas.height());
+    let pixels = pen.get_image_data(0.0, 0.0, width.into(), height.into()).ok()?.data();
+    if pixels.iter().all(|&part| part == 0) {
+        return None;
+    }
+    write_picture([width, height], &pixels, link).ok()
+}
+
+/// The QR code of a text as the content of an SVG: its `viewBox`, and a path of dark squares. None where it is too
+/// long for one.
+pub fn qr(text: &str) -> Option<(String, String)> {
+    let code = QrCode::encode_text(text, QrCodeEcc::Medium).ok()?;
+    // Four light squares around it, as readers need.
+    let (size, rim) = (code.size(), 4);
+    let mut path = String::new();
+    for y in 0..size {
+        for x in (0..size).filter(|&x| code.get_module(x, y)) {
+            let _ = write!(path, "M{} {}h1v1h-1z", x + rim, y + rim);
+        }
+    }
+    let side = size + 2 * rim;
+    Some((format!("0 0 {side} {side}"), path))
+}

@@ -1,0 +1,45 @@
+//! What the page shows: the scene that it would print now, and its mesh.
+
+use crate::browser::dom::{document, find, window};
+use crate::browser::files;
+use crate::plants;
+use crate::play::protocol::BUILD;
+use crate::play::{Scene, link};
+use web_sys::{Element, Event};
+
+/// The address of what the page shows, with its link: it is asked to put into the document what it would
+/// print, which is that and the picture.
+pub fn address() -> String {
+    if let Ok(event) = Event::new("beforeprint") {
+        let _ = window().dispatch_event(&event);
+    }
+    find::<Element>("printed-link").text_content().unwrap_or_default()
+}
+
+/// The link of an address, which is the part after its `#`.
+pub fn link_of(address: &str) -> &str {
+    address.split_once('#').map_or("", |(_, link)| link)
+}
+
+/// The scene of what the page shows.
+pub fn scene() -> Scene {
+    link::read(link_of(&address()), plants::all()).scene
+}
+
+/// Shows a scene on the page, by its link.
+pub fn show(link: &str) {
+    let _ = window().location().set_hash(link);
+}
+
+/// The fingerprint of the day on the screen.
+pub fn fingerprint() -> String {
+    let root = document().document_element();
+    root.and_then(|root| root.get_attribute("data-fingerprint")).unwrap_or_default()
+}
+
+/// The text of a plant's mesh, as the page has it at hand.
+pub async fn mesh_of(scene: &Scene) -> Result<String, String> {
+    let name = scene.plant.body.mesh.name;
+    let path = format!("meshes/{}?build={BUILD}", name.replace(".obj", ".txt"));
+    files::read_text(&files::address(&path)).await
+}

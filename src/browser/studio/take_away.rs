@@ -1,0 +1,243 @@
+//! The dialog in which a plant is taken away.
+
+use super::files::{open, save};
+use super::subject::{self, address, link_of};
+use super::work::{Said, Work};
+use super::{picture, with};
+use crate::browser::dom::{Listener, find, on, set_attribute, set_flag, set_text, window, within};
+use crate::export::{Kind, write_zip};
+use crate::plants::{self, Plant};
+use crate::play::{Scene, link, words};
+use js_sys::{Array, Uint8Array};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+use web_sys::{
+    Element, Event, HtmlDialogElement, HtmlElement, HtmlInputElement, HtmlTextAreaElement,
+    ShareData,
+};
+
+pub struct TakeAway {
+    dialog: HtmlDialogElement,
+    /// What is being made, and who makes it.
+    making: Option<Making>,
+    work: Option<Work>,
+    _listeners: Vec<Listener>,
+}
+
+/// What is being made: a kind of file, and the name of the file without its end.
+struct Making {
+    kind: Kind,
+    name: String,
+    last_day: u32,
+}
+
+impl TakeAway {
+    pub fn new() -> TakeAway {
+        let dialog: HtmlDialogElement = find("take-away-dialog");
+        let mut listeners = vec![on(&dialog, "click", |event: Event| {
+            let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+            if let Some(wanted) = target.and_then(|target| target.get_attribute("data-take")) {
+                with(|studio| studio.take_away.take(&wanted));
+            }
+        })];
+        let stop: HtmlElement = within(&dialog, ".stop");
+        listeners
+            .push(on(&stop, "click", |_: Event| with(|studio| studio.take_away.stop("Stopped."))));
+        let share: HtmlElement = within(&dialog, ".share-sheet");
+        let shares = js_sys::Reflect::has(&window().navigator(), &"share".into()).unwrap_or(false);
+        set_flag(&share, "hidden", !shares);
+        listeners.push(on(&share, "click", |_: Event| spawn_local(share_link())));
+        let input: HtmlInputElement = within(&dialog, ".open");
+        let chosen = input.clone();
+        listeners.push(on(&input, "change", move |_: Event| {
+            if let Some(file) = chosen.files().and_then(|files| files.get(0)) {
+                // The same file may be chosen again.
+                open(file);
+                chosen.set_value("");
+                with(|studio| studio.take_away.dialog.close());
+            }
+        }));
+        listeners.push(on(&dialog, "close", |_: Event| with(|studio| studio.take_away.stop(""))));
+        TakeAway { dialog, making: None, work: None, _listeners: listeners }
+    }
+
+    /// Opens the dialog on what the page shows.
+    pub fn open(&mut self) {
+        let address = address();
+        let scene = scene_of(&address);
+        let told =
+            format!("{}, individual {}, day {}", scene.plant.name, scene.individual, scene.day);
+        set_text(&self.part(".subject"), &told);
+        let fingerprint = subject::fingerprint();
+        let embed = format!(
+            "<iframe src=\"{}\" title=\"{}\" width=\"800\" height=\"600\"></iframe>",
+            address.replace('&', "&amp;"),
+            scene.plant.name
+        );
+        let citation = format!(
+            "{told}. Clonal Mosaic {}, link version {}, fingerprint {fingerprint}. {address}",
+            env!("CARGO_PKG_VERSION"),
+            link::VERSION
+        );
+        for (part, text) in [(".link", &address), (".embed", &embed), (".citation", &citation)] {
+            let area: HtmlTextAreaElement = within(&self.dialog, part);
+            area.set_value(text);
+        }
+        let code = self.part(".qr");
+        let (view_box, path) = picture::qr(&address).unwrap_or_default();
+        set_flag(&code, "hidden", path.is_empty());
+        set_attribute(&code, "viewBox", view_box);
+        code.set_inner_html(&format!("<path d=\"{path}\"/>"));
+        self.say("");
+        if !self.dialog.open() {
+            let _ = self.dialog.show_modal();
+        }
+    }
+
+    /// Makes what was wanted, and hands it to the visitor.
+    fn take(&mut self, wanted: &str) {
+        let address = address();
+        let scene = scene_of(&address);
+        let name = format!("{}-{}-day-{}", scene.plant.key, scene.individual, scene.day);
+        match Kind::of_word(wanted) {
+            Some(kind) => {
+                self.begin(Making { kind, name: name.clone(), last_day: scene.day });
+                let link = link_of(&address).to_string();
+                spawn_local(async move {
+                    let mesh = subject::mesh_of(&scene).await;
+                    with(|studio| studio.take_away.start(&link, mesh));
+                });
+            }
+            None if wanted == "picture" => match picture::png(link_of(&address)) {
+                Some(bytes) => {
+                    self.hand_over(&format!("{name}.png"), &Uint8Array::from(&bytes[..]))
+                }
+                None => {
+                    self.say("Nothing is drawn on this machine, so there is no picture to take.")
+                }
+            },
+            None => {
+                let document = of_its_own_numbers(&scene).to_json();
+                self.hand_over(
+                    &format!("{name}.mosaic.json"),
+                    &Uint8Array::from(document.as_bytes()),
+                );
+            }
+        }
+    }
+
+    /// Says that something is being made.
+    fn begin(&mut self, making: Making) {
+        self.stop("");
+        self.say(&format!("Growing the plant for {} …", making.kind.word()));
+        self.show_progress(Some((0, making.last_day)));
+        self.making = Some(making);
+    }
+
+    fn start(&mut self, link: &str, mesh: Result<String, String>) {
+        let Some(making) = &self.making else { return };
+        let mesh = match mesh {
+            Ok(mesh) => mesh,
+            Err(why) => return self.stop(&format!("The plant's body did not come: {why}.")),
+        };
+        let materials = format!("{}.mtl", making.name);
+        let hear = |said| with(|studio| studio.take_away.hear(said));
+        match Work::start([making.kind.word(), link, &mesh, &materials], hear) {
+            Ok(work) => self.work = Some(work),
+            Err(why) => self.stop(&why),
+        }
+    }
+
+    fn hear(&mut self, said: Said) {
+        let Some(making) = &self.making else { return };
+        match said {
+            Said::Day(day) => {
+                let last = making.last_day;
+                let what = if day < last {
+                    format!("Day {day} of {last} …")
+                } else {
+                    "Writing …".into()
+                };
+                self.say(&what);
+                self.show_progress(Some((day, last)));
+            }
+            Said::Refused(why) => self.stop(&why),
+            Said::Done(answer) => {
+                let Making { kind, name, .. } = making;
+                let (file, bytes) = match (kind, answer.length()) {
+                    (Kind::Obj, 3) => {
+                        let [obj, mtl] = [1, 2].map(|k| bytes(&answer, k).to_vec());
+                        let names = [format!("{name}.obj"), format!("{name}.mtl")];
+                        let files = [(&*names[0], &obj[..]), (&*names[1], &mtl[..])];
+                        let mut zip = Vec::new();
+                        if let Err(why) = write_zip(&files, &mut zip) {
+                            return self.stop(&why.to_string());
+                        }
+                        (format!("{name}.zip"), Uint8Array::from(&zip[..]))
+                    }
+                    _ => (format!("{name}.{}", kind.extension()), bytes(&answer, 1)),
+                };
+                self.stop("");
+                self.hand_over(&file, &bytes);
+            }
+        }
+    }
+
+    /// Gives the visitor a file.
+    fn hand_over(&self, file: &str, bytes: &Uint8Array) {
+        save(file, bytes);
+        self.say(&format!(
+            "{file}, {} KB, is among your downloads.",
+            words::grouped(bytes.length().div_ceil(1024))
+        ));
+    }
+
+    /// Ends what is being made, and says so.
+    fn stop(&mut self, why: &str) {
+        self.work = None;
+        self.making = None;
+        self.show_progress(None);
+        self.say(why);
+    }
+
+    fn show_progress(&self, days: Option<(u32, u32)>) {
+        let progress = self.part("progress");
+        set_flag(&progress, "hidden", days.is_none());
+        set_flag(&self.part(".stop"), "hidden", days.is_none());
+        if let Some((day, last)) = days {
+            set_attribute(&progress, "max", last.max(1));
+            set_attribute(&progress, "value", day);
+        }
+    }
+
+    fn say(&self, text: &str) {
+        set_text(&self.part(".said"), text);
+    }
+
+    fn part(&self, selector: &str) -> Element {
+        within(&self.dialog, selector)
+    }
+}
+
+fn bytes(answer: &Array, k: u32) -> Uint8Array {
+    answer.get(k).unchecked_into()
+}
+
+fn scene_of(address: &str) -> Scene {
+    link::read(link_of(address), plants::all()).scene
+}
+
+/// The plant with the numbers and the colours of the scene.
+fn of_its_own_numbers(scene: &Scene) -> Plant {
+    Plant { recipe: scene.recipe.clone(), look: scene.look.clone(), ..scene.plant.clone() }
+}
+
+/// Shows the system's own sheet to share a link.
+async fn share_link() {
+    let data = ShareData::new();
+    data.set_url(&address());
+    data.set_title("Clonal Mosaic");
+    // The visitor may think better of it.
+    let _: Result<JsValue, JsValue> =
+        JsFuture::from(window().navigator().share_with_data(&data)).await;
+}

@@ -1,0 +1,59 @@
+//! A worker of the studio at its one piece of work; dropping it ends it.
+
+use crate::browser::dom::{Listener, on};
+use crate::browser::files;
+use js_sys::Array;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{ErrorEvent, MessageEvent, Worker};
+
+pub struct Work {
+    worker: Worker,
+    _listeners: [Listener; 2],
+}
+
+/// What a worker says.
+pub enum Said {
+    /// So many days have grown.
+    Day(u32),
+    /// In plain words, why it cannot be.
+    Refused(String),
+    /// What was wanted: a text, and files. For days in numbers without a text at the end.
+    Done(Array),
+}
+
+impl Work {
+    /// Starts a worker and tells it its wish: see `worker::start_worker`.
+    pub fn start(wish: [&str; 4], hear: impl Fn(Said) + Clone + 'static) -> Result<Work, String> {
+        let worker = files::start_worker("studio").ok_or_else(|| {
+            "This browser starts no worker, so nothing can be made here.".to_string()
+        })?;
+        let wish: Array = wish.iter().map(|word| JsValue::from_str(word)).collect();
+        let (listens, hear_end) = (worker.clone(), hear.clone());
+        let listeners = [
+            on(&worker, "message", move |message: MessageEvent| {
+                let said = message.data();
+                if said.is_null() {
+                    // It listens now; words can always be sent.
+                    let _ = listens.post_message(&wish);
+                } else if let Some(day) = said.as_f64() {
+                    hear(Said::Day(day as u32));
+                } else if let Some(why) = said.as_string() {
+                    hear(Said::Refused(why));
+                } else {
+                    hear(Said::Done(said.unchecked_into()));
+                }
+            }),
+            on(&worker, "error", move |_: ErrorEvent| {
+                let why = "It ended before it was done, most likely for want of memory.";
+                hear_end(Said::Refused(why.to_string()));
+            }),
+        ];
+        Ok(Work { worker, _listeners: listeners })
+    }
+}
+
+impl Drop for Work {
+    fn drop(&mut self) {
+        self.worker.terminate();
+    }
+}

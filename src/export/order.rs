@@ -1,0 +1,245 @@
+//! A scene as files: what the shell and the page's studio do alike, before a file is a file.
+
+use super::cells::write_cells;
+use super::clones::write_clones;
+use super::days::DayNumbers;
+use super::glb::write_glb;
+use super::kind::Kind;
+use super::obj::{write_mtl, write_obj};
+use super::ply::write_ply;
+use super::specimen::Specimen;
+use super::svg;
+use super::three_mf::write_3mf;
+use super::tile::Tile;
+use crate::mosaic::Pattern;
+use crate::plants::{self, Show};
+use crate::play::{Scene, link};
+
+use crate::surface::{Body, Charts, Mesh, Ornament, flat_torus};
+use crate::tissue::{CLAN_STEPS, Diary, Growth, Noise, clan_step};
+use glam::DVec3;
+use std::io;
+use std::sync::Arc;
+
+/// A scene that is to be written as files of one kind, on its day.
+pub struct Order {
+    kind: Kind,
+    scene: Scene,
+    mesh: Arc<Mesh>,
+    ornaments: Vec<Ornament>,
+    noise: Option<Noise>,
+}
+
+/// What was written: the content of the file, of an OBJ then that of its materials, and what it is in a few words.
+pub struct Written {
+    pub files: Vec<Vec<u8>>,
+    pub told: String,
+}
+
+/// The reach of the cells goes by their number, so it is no matter how large the square is.
+const TILE_SIDE_CM: f32 = 16.0;
+const TILE_PX: u32 = 2048;
+/// Squares of the torus along its side: as many triangles as plants have.
+const TILE_SQUARES: u32 = 48;
+/// With fewer, cells would be neighbours of themselves, the long way around.
+const FEWEST_OF_TILE: u32 = 500;
+
+impl Order {
+    /// Sows the scene on its plant's body, or a tile's on a torus: control images and direction fields lie on
+    /// bodies, so that a tile grows without. The growth ends with the day of the scene.
+    ///
+    /// # Errors
+    /// In plain words, what cannot be grown so.
+    pub fn new(kind: Kind, scene: &Scene, body: Body) -> Result<(Order, Growth), String> {
+        let mut scene = scene.clone();
+        scene.recipe.days = scene.day;
+        let Body { surface, ornaments } = body;
+        let is_tile = kind == Kind::Tile;
+        let mesh = Arc::new(if is_tile { ground_of_tile(&scene)? } else { surface });
+        let sown = if is_tile {
+            Growth::new(mesh.clone(), scene.recipe.clone(), &[], scene.individual)
+                .map(|growth| (growth, None))
+        } else {
+            scene.sow(mesh.clone())
+        };
+        let (growth, noise) = sown.map_err(|e| e.to_string())?;
+        Ok((Order { kind, scene, mesh, ornaments, noise }, growth))
+    }
+
+    /// Writes the last day of a diary of the growth. `name` is what an OBJ calls the file of its materials.
+    ///
+    /// # Errors
+    /// In plain words, what cannot be written so.
+    pub fn write(&self, diary: Diary, name: &str) -> Result<Written, String> {
+        let day = diary.days.len() - 1;
+        if self.kind == Kind::Days {
+            return self.write_days(&diary);
+        }
+        let diary = self.painted(&diary, day).unwrap_or(diary);
+        let mut written = match self.kind {
+            Kind::Cells => file(|out| write_cells(&self.mesh, DVec3::ZERO, &diary, day, out)),
+            Kind::Clones => {
+                let mut clones = 0;
+                let written = file(|out| {
+                    clones = write_clones(&self.mesh, &diary, day, out)?;
+                    Ok(())
+                });
+                written.map(|written| written.told(format!("{clones} clones")))
+            }
+            Kind::Tile => {
+                let tile = Tile::new(&self.mesh, TILE_SIDE_CM, &self.scene.look, &diary, day);
+                let written = file(|out| write_png(&tile, out));
+                written.map(|written| written.told(format!("{TILE_PX} pixels wide")))
+            }
+            Kind::Days => unreachable!("written above"),
+            Kind::Glb | Kind::Ply | Kind::Obj | Kind::ThreeMf | Kind::Svg => {
+                let (body, controls) =
+                    ((&*self.mesh, &self.ornaments[..]), self.scene.plant.controls());
+                let link = self.link(day);
+                let look = &self.scene.look;
+                let specimen = Specimen::new(body, look, &controls, (&diary, day), link);
+                write_specimen(self.kind, &specimen, name)
+            }
+        }?;
+        let bytes: usize = written.files.iter().map(Vec::len).sum();
+        let facts = [format!("{} cells", diary.days[day].places.len()), written.told];
+        let facts: Vec<String> = facts.into_iter().filter(|fact| !fact.is_empty()).collect();
+        written.told =
+            format!("{}, day {day}, {}, {bytes} bytes", self.kind.word(), facts.join(", "));
+        Ok(written)
+    }
+
+    /// A day that stands in the diary of the growth, in numbers. `charts` are those of the body.
+    pub fn numbers(&self, charts: &mut Charts, diary: &Diary, day: usize) -> DayNumbers {
+        let Scene { plant, recipe, .. } = &self.scene;
+        let painted = self.painted(diary, day);
+        DayNumbers {
+            day: day as u32,
+            pattern: Pattern::of(&self.mesh, charts, painted.as_ref().unwrap_or(diary), day),
+            expected: plant.expected_cells(&self.mesh, recipe, diary, day as u32),
+            clans: clans(diary, day),
+            expected_clans: plant.expected_clans(&self.mesh, recipe, diary, day as u32),
+        }
+    }
+
+    /// The body that it grows on.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// What noise makes of a day, if it is noise that is to be seen.
+    fn painted(&self, diary: &Diary, day: usize) -> Option<Diary> {
+        self.noise.as_ref().map(|noise| noise.paint(&self.mesh, diary, day))
+    }
+
+    fn write_days(&self, diary: &Diary) -> Result<Written, String> {
+        let mut charts = Charts::new(&self.mesh);
+        let mut table = format!("{}\n", DayNumbers::HEADING);
+        for day in 0..diary.days.len() {
+            table += &self.numbers(&mut charts, diary, day).to_csv();
+            table.push('\n');
+        }
+        let told = format!("days, 0 to {}, {} bytes", diary.days.len() - 1, table.len());
+        Ok(Written { files: vec![table.into_bytes()], told })
+    }
+
+    /// The link that shows it, or, of a plant that is not in the catalogue, its name.
+    fn link(&self, day: usize) -> String {
+        let scene = &self.scene;
+        if plants::find(scene.plant.key).is_some_and(|own| own == scene.plant) {
+            let shown = Scene { day: day as u32, show: Show::Cells, ..scene.clone() };
+            return link::write(&shown);
+        }
+        format!("plant document {}, individual {}, day {day}", scene.plant.key, scene.individual)
+    }
+}
+
+impl Written {
+    fn told(self, told: String) -> Written {
+        Written { told, ..self }
+    }
+}
+
+/// One file in memory, which takes all that fits.
+fn file(content: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> Result<Written, String> {
+    let mut bytes = Vec::new();
+    content(&mut bytes).map_err(|e| e.to_string())?;
+    Ok(Written { files: vec![bytes], told: String::new() })
+}
+
+fn write_specimen(kind: Kind, specimen: &Specimen, name: &str) -> Result<Written, String> {
+    let triangles = format!("{} triangles", specimen.triangle_count());
+    match kind {
+        Kind::Svg => write_svg(specimen),
+        Kind::ThreeMf => {
+            let mut triangles = 0;
+            let written = file(|out| {
+                triangles = write_3mf(specimen, out)?;
+                Ok(())
+            })?;
+            Ok(written.told(format!("{triangles} triangles")))
+        }
+        Kind::Obj => {
+            let mut written = file(|out| write_obj(specimen, name, out))?;
+            written.files.append(&mut file(|out| write_mtl(specimen, out))?.files);
+            Ok(written.told(triangles))
+        }
+        Kind::Glb => Ok(file(|out| write_glb(specimen, out))?.told(triangles)),
+        _ => Ok(file(|out| write_ply(specimen, out))?.told(triangles)),
+    }
+}
+
+/// Writes what can be laid flat.
+fn write_svg(specimen: &Specimen) -> Result<Written, String> {
+    let pattern = svg::Pattern::new(specimen);
+    let mut why: Vec<&str> = pattern.left_out.iter().map(|(_, why)| why.as_str()).collect();
+    why.dedup();
+    let why = why.join("; ");
+    if pattern.count() == 0 {
+        return Err(format!("nothing of this plant can be laid flat: {why}"));
+    }
+    let (sheets, stretch) = (pattern.count(), 100.0 * pattern.stretch);
+    let left_out = match pattern.left_out.len() {
+        0 => String::new(),
+        parts => format!(", without {parts} that cannot be laid flat ({why})"),
+    };
+    let word = if sheets == 1 { "part" } else { "parts" };
+    let told = format!("{sheets} {word}, stretched by {stretch:.1} %{left_out}");
+    Ok(file(|out| pattern.write(specimen, out))?.told(told))
+}
+
+/// The clans of a day, by the steps of their sizes.
+fn clans(diary: &Diary, day: usize) -> [u32; CLAN_STEPS] {
+    let living = diary.days[day].places.len();
+    let mut cells = vec![0; diary.days[0].places.len()];
+    for cell in &diary.lineage[..living] {
+        cells[cell.founder as usize] += 1;
+    }
+    let mut steps = [0; CLAN_STEPS];
+    cells.into_iter().for_each(|cells| steps[clan_step(cells)] += 1);
+    steps
+}
+
+/// The torus that a tile grows on, if it can be one.
+fn ground_of_tile(scene: &Scene) -> Result<Mesh, String> {
+    let recipe = &scene.recipe;
+    if scene.noise {
+        return Err("a tile shows clones: noise does not go on over its border".to_string());
+    }
+    // Cells within reach of each other on both ways around.
+    let fewest = FEWEST_OF_TILE.max((64.0 * recipe.radius_scale * recipe.radius_scale) as u32);
+    if recipe.initial_cells < fewest {
+        let cells = recipe.initial_cells;
+        return Err(format!("a tile of this recipe needs {fewest} first cells, not {cells}"));
+    }
+    Ok(flat_torus(TILE_SIDE_CM, TILE_SQUARES))
+}
+
+fn write_png(tile: &Tile, out: &mut Vec<u8>) -> io::Result<()> {
+    let mut encoder = png::Encoder::new(out, TILE_PX, TILE_PX);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let mut png = encoder.write_header().map_err(io::Error::other)?;
+    png.write_image_data(&tile.pixels(TILE_PX)).map_err(io::Error::other)
+}

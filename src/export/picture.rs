@@ -1,0 +1,51 @@
+//! A picture of the screen as PNG (W3C, Portable Network Graphics), with the link of what it shows inside.
+
+use std::io;
+
+/// Dots of a metre at 250 to an inch.
+const PER_METRE: u32 = 9843;
+
+/// The PNG of pixels, four bytes each in sRGB, row by row from the top. The link stands in it as text (`iTXt`,
+/// `Link`), not packed, so that it is found again.
+///
+/// # Errors
+/// Pixels that are not as many as the size says.
+pub fn write_picture(size_px: [u32; 2], pixels: &[u8], link: &str) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, size_px[0], size_px[1]);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    encoder.set_pixel_dims(Some(png::PixelDimensions {
+        xppu: PER_METRE,
+        yppu: PER_METRE,
+        unit: png::Unit::Meter,
+    }));
+    let text = |keyword: &str, text: &str| (keyword.to_string(), text.to_string());
+    for (keyword, text) in [text("Link", link), text("Software", "Clonal Mosaic")] {
+        encoder.add_itxt_chunk(keyword, text).map_err(io::Error::other)?;
+    }
+    let mut png = encoder.write_header().map_err(io::Error::other)?;
+    png.write_image_data(pixels).map_err(io::Error::other)?;
+    png.finish().map_err(io::Error::other)?;
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_is_read_back_with_its_link() {
+        let (link, pixels) = ("croton?v=1&s=2&d=3", [7, 8, 9, 255, 0, 0, 0, 0]);
+        let bytes = write_picture([2, 1], &pixels, link).unwrap();
+        let mut reader = png::Decoder::new(io::Cursor::new(&bytes)).read_info().unwrap();
+        let mut read = [0; 8];
+        reader.next_frame(&mut read).unwrap();
+        assert_eq!(read, pixels);
+        let text = &reader.info().utf8_text[0];
+        assert_eq!((&*text.keyword, &*text.get_text().unwrap()), ("Link", link));
+        assert!(bytes.windows(link.len()).any(|window| window == link.as_bytes()));
+        assert!(write_picture([2, 2], &pixels, link).is_err());
+    }
+}

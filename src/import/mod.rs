@@ -1,0 +1,127 @@
+//! Files in: what was taken away is opened again, as the link of the scene that it shows.
+
+use crate::plants::{self, Plant};
+use crate::play::{FIRST_INDIVIDUAL, Scene, link};
+use crate::tissue::Recipe;
+
+/// The link of the scene in a file: of a picture, a model or a drawing that was taken away here the one that
+/// is written in it, of a plant document the one that says its numbers, of a recipe the one that grows it on
+/// the plant of `now`.
+///
+/// # Errors
+/// In plain words, why there is none.
+pub fn link_of_file(bytes: &[u8], now: &Scene) -> Result<String, String> {
+    match std::str::from_utf8(bytes) {
+        Ok(text) if text.trim_start_matches('\u{feff}').trim_start().starts_with('{') => {
+            link_of_json(text, now)
+        }
+        _ => link_within(bytes).ok_or_else(|| {
+            "This file holds no link of the playground: it opens pictures, models and documents that were \
+             taken away here."
+                .to_string()
+        }),
+    }
+}
+
+/// The first link that stands in a file as text: all of ours are written so.
+fn link_within(bytes: &[u8]) -> Option<String> {
+    const MARK: &[u8] = b"?v=";
+    let marks = bytes.windows(MARK.len()).enumerate().filter(|(_, window)| *window == MARK);
+    marks.map(|(at, _)| at).find_map(|at| {
+        let of_name = |b: &u8| b.is_ascii_lowercase() || *b == b'-';
+        let of_query = |b: &u8| b.is_ascii_alphanumeric() || b"=&.,-+;_?".contains(b);
+        let name = bytes[..at].iter().rev().take_while(|b| of_name(b)).count();
+        let query = bytes[at..].iter().take_while(|b| of_query(b)).count();
+        let text = std::str::from_utf8(&bytes[at - name..at + query]).ok()?;
+        plants::find(text.split('?').next()?)?;
+        Some(link::write(&link::read(text, plants::all()).scene))
+    })
+}
+
+fn link_of_json(text: &str, now: &Scene) -> Result<String, String> {
+    let why_no_plant = match Plant::from_json(text) {
+        Ok(plant) => return link_of_plant(&plant),
+        Err(why) => why.to_string(),
+    };
+    // A document says so itself; what does not is a recipe.
+    if text.contains("\"mosaic_plant\"") {
+        return Err(why_no_plant);
+    }
+    let recipe = Recipe::from_json(text).map_err(|why| why.to_string())?;
+    link_that_says(&Scene { day: now.day.min(recipe.days), recipe, ..now.clone() })
+}
+
+fn link_of_plant(plant: &Plant) -> Result<String, String> {
+    let own = plants::find(plant.key).filter(|own| {
+        let numbers =
+            Plant { recipe: plant.recipe.clone(), look: plant.look.clone(), ..(*own).clone() };
+        numbers == *plant
+    });
+    let own = own.ok_or_else(|| {
+        format!(
+            "{} is a plant of its own: the page grows the plants of its catalogue and what their numbers make \
+             of them. In a shell, mosaic grow --plant grows it.",
+            plant.name
+        )
+    })?;
+    let preset = Scene::preset(own, FIRST_INDIVIDUAL);
+    let (recipe, look) = (plant.recipe.clone(), plant.look.clone());
+    link_that_says(&Scene { day: preset.day.min(recipe.days), recipe, look, ..preset })
+}
+
+/// The link of a scene, if links have words for all that is in it.
+fn link_that_says(scene: &Scene) -> Result<String, String> {
+    let link = link::write(scene);
+    let read = link::read(&link, plants::all()).scene;
+    if read.recipe == scene.recipe && read.look == scene.look {
+        return Ok(link);
+    }
+    Err("It has numbers that no link can say. In a shell, mosaic grow takes it as a file."
+        .to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene(text: &str) -> Scene {
+        link::read(text, plants::all()).scene
+    }
+
+    #[test]
+    fn a_link_is_found_in_bytes_of_any_kind() {
+        let link = "red-croton?v=1&s=7&d=12&df=6.5";
+        for file in [
+            [&b"\x89PNG\xff\0iTXt"[..], link.as_bytes(), b"\0\x01\xfe"].concat(),
+            format!("<metadata>Clonal Mosaic {}</metadata>", link.replace('&', "&amp;"))
+                .into_bytes(),
+            format!("ply\ncomment {link}\nend_header\n\u{1}").into_bytes(),
+        ] {
+            assert_eq!(link_of_file(&file, &scene("")).as_deref(), Ok(link));
+        }
+        for other in [&b""[..], b"what?v=1&s=2", b"?v=", b"\xff\xfe\x80"] {
+            assert!(link_of_file(other, &scene("")).unwrap_err().contains("no link"));
+        }
+    }
+
+    #[test]
+    fn documents_are_links_as_far_as_links_can_say_them() {
+        let changed = scene("watermelon?v=1&s=1&d=2&df=7&bo=0.5");
+        let (recipe, look) = (changed.recipe.clone(), changed.look.clone());
+        let plant = Plant { recipe, look, ..changed.plant.clone() };
+        let link = link_of_file(plant.to_json().as_bytes(), &scene("")).unwrap();
+        let read = scene(&link);
+        assert_eq!((&read.recipe, &read.look), (&changed.recipe, &changed.look));
+
+        let own = Plant { name: "Mine", key: "mine", ..plant.clone() };
+        let why = link_of_file(own.to_json().as_bytes(), &scene("")).unwrap_err();
+        assert!(why.starts_with("Mine is a plant of its own"), "{why}");
+        let broken = plant.to_json().replace("\"recipe\"", "\"recipes\"");
+        assert!(link_of_file(broken.as_bytes(), &scene("")).unwrap_err().contains("recipe"));
+
+        let now = scene("cactus?v=1&s=3&d=2");
+        let link = link_of_file(changed.recipe.to_json().as_bytes(), &now).unwrap();
+        assert!(link.starts_with("cactus?v=1&s=3&d=2"), "{link}");
+        assert_eq!(scene(&link).recipe, changed.recipe);
+    }
+}
