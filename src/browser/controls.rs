@@ -6,10 +6,12 @@ use super::boot;
 use super::dom::{
     Listener, document, find, on, set_attribute, set_flag, set_style, set_text, window,
 };
+use super::keyboard::{TURN_DEG, ZOOM};
 use super::typing;
 use crate::play::link::INDIVIDUAL;
 use crate::play::page::{Event, Page, State};
 use crate::play::words;
+use glam::Vec2;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Element, HtmlDialogElement, HtmlElement, HtmlInputElement};
 
@@ -44,6 +46,18 @@ impl Controls {
             [("undo", Event::Undo), ("redo", Event::Redo), ("framing", Event::ResetView)]
         {
             listeners.push(click(id, move || app::send(event.clone())));
+        }
+        // What dragging does, for who cannot drag (WCAG 2.2, 2.5.7).
+        for (id, right_deg, up_deg) in [
+            ("turn-left", -TURN_DEG, 0.0),
+            ("turn-right", TURN_DEG, 0.0),
+            ("turn-up", 0.0, TURN_DEG),
+            ("turn-down", 0.0, -TURN_DEG),
+        ] {
+            listeners.push(click(id, move || app::send(Event::Turn { right_deg, up_deg })));
+        }
+        for (id, factor) in [("nearer", ZOOM), ("farther", 1.0 / ZOOM)] {
+            listeners.push(click(id, move || app::zoom(factor, Vec2::ZERO)));
         }
         for door in ["take-away", "charts"] {
             listeners.push(click(door, move || load_studio(door)));

@@ -1,5 +1,5 @@
-//! Keys. Single letters count only on the stage and on sliders, so that they never fight a screen reader or
-//! a field; `?`, undo and redo count everywhere but where something is being typed.
+//! Keys. Single characters count only on the stage and on sliders, so that they never fight a screen reader or
+//! a field (WCAG 2.2, 2.1.4); undo and redo count everywhere but where something is being typed.
 
 use super::dom::{Listener, on, window};
 use super::{app, controls};
@@ -8,12 +8,12 @@ use glam::Vec2;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement, KeyboardEvent};
 
-/// Degrees that an arrow key turns the plant.
-const TURN_DEG: f32 = 10.0;
+/// Degrees that an arrow key or a button turns the plant.
+pub const TURN_DEG: f32 = 10.0;
 /// Half sides of the stage that an arrow key with Shift moves it.
 const MOVE: f32 = 0.1;
-/// Zoom of one key.
-const ZOOM: f32 = 1.2;
+/// Zoom of one key or button.
+pub const ZOOM: f32 = 1.2;
 
 /// Listens on the stage and on the whole window.
 pub fn listen(stage: &HtmlElement) -> [Listener; 2] {
@@ -76,6 +76,7 @@ fn on_plant(event: &KeyboardEvent) -> bool {
         "n" => controls::another_individual(),
         "c" => controls::copy_link(),
         "m" => app::send(Event::TakeMother),
+        "?" => controls::show_keys(),
         _ => return false,
     }
     true
@@ -90,7 +91,6 @@ fn anywhere(event: &KeyboardEvent) -> bool {
         return false;
     }
     match (event.key().to_ascii_lowercase().as_str(), command, event.shift_key()) {
-        ("?", false, _) => controls::show_keys(),
         ("escape", false, _) if !is_on(event, "dialog *") => app::send(Event::PutDown),
         // Nobody would see what is undone.
         ("z" | "y", true, _) if app::shows_figures() => return false,

@@ -5,6 +5,7 @@
 //! `cargo test` skips these tests then, and says so. Firefox and WebKit are skipped, and named, where
 //! they cannot be installed.
 
+mod axe;
 mod back;
 mod clones;
 mod embedding;
@@ -32,6 +33,7 @@ mod reach;
 mod sameness;
 mod server;
 mod start;
+mod studio;
 mod three_engines;
 mod views;
 mod webdriver;

@@ -1,0 +1,54 @@
+//! Every view by the rules of axe-core (Deque, WCAG 2.2 A and AA), which finds nothing.
+
+use crate::engines::{Graphics, is_left_out};
+use crate::page::{Page, skip};
+use std::path::Path;
+
+/// What axe says of what is seen now: a line for each rule that is broken.
+fn broken(page: &Page) -> Vec<String> {
+    let told = page.run(
+        "return axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']})
+             .then(found => found.violations.map(rule =>
+                 rule.id + ': ' + rule.help + ': ' + rule.nodes.map(node => node.html.slice(0, 120)).join(' | ')))",
+    );
+    serde_json::from_value(told).expect("lines")
+}
+
+#[test]
+fn no_view_breaks_a_rule() {
+    let axe = Path::new(env!("CARGO_MANIFEST_DIR")).join(".tools/node_modules/axe-core/axe.min.js");
+    let script = match std::fs::read_to_string(&axe) {
+        Ok(script) => script,
+        Err(_) if is_left_out("axe-core") => return skip("axe-core could not be installed here"),
+        Err(_) if std::env::var("BROWSER_TESTS").is_ok_and(|wanted| wanted == "required") => {
+            panic!("{} is missing: ./playground test installs it", axe.display())
+        }
+        Err(_) => return skip("axe-core is not installed: ./playground test does it"),
+    };
+    let Some(page) = Page::start(Graphics::Neither) else { return };
+    page.before_pages(&script);
+    let all_rules = |view: &str| {
+        let broken = broken(&page);
+        assert!(broken.is_empty(), "{view}:\n{}", broken.join("\n"));
+    };
+    page.visit("#watermelon?v=1&s=2&d=3");
+    page.on_day(3);
+    all_rules("the plant");
+    page.run("document.querySelectorAll('details').forEach(details => { details.open = true })");
+    all_rules("the recipe");
+    page.click("help");
+    all_rules("the keys");
+    page.run("document.getElementById('keys').close()");
+    page.click("charts");
+    page.wait_for(
+        "the charts",
+        "return document.querySelectorAll('#charts-view .chart').length === 5",
+    );
+    all_rules("the charts");
+    page.click("take-away");
+    page.wait_for("the studio", "return document.getElementById('take-away-dialog').open");
+    all_rules("what is taken away");
+    page.run("document.getElementById('take-away-dialog').close(); location.hash = '#figures/4.8'");
+    page.wait_for("the figures", "return document.documentElement.dataset.view === 'figures'");
+    all_rules("the figures");
+}
