@@ -17,11 +17,26 @@ pub fn link_of_file(bytes: &[u8], now: &Scene) -> Result<String, String> {
         Ok(text) if text.trim_start_matches('\u{feff}').trim_start().starts_with('{') => {
             link_of_json(text, now)
         }
-        _ => link_within(bytes).ok_or_else(|| {
+        _ => link_within(png_text(bytes).unwrap_or(bytes)).ok_or_else(|| {
             "This file holds no link of the playground: it opens pictures, models and documents that were \
              taken away here."
                 .to_string()
         }),
+    }
+}
+
+/// The text of a PNG that our pictures keep their link in. What comes after it, a checksum, may be letters too.
+fn png_text(bytes: &[u8]) -> Option<&[u8]> {
+    let mut rest = bytes.strip_prefix(b"\x89PNG\r\n\x1a\n")?;
+    loop {
+        let (length, after) = rest.split_first_chunk::<4>()?;
+        let length = u32::from_be_bytes(*length) as usize;
+        let chunk = after.get(..length.checked_add(4)?)?;
+        // Not packed, in no language, and without another keyword.
+        if let Some(text) = chunk.strip_prefix(b"iTXtLink\0\0\0\0\0") {
+            return Some(text);
+        }
+        rest = after.get(length.checked_add(8)?..)?;
     }
 }
 
@@ -103,7 +118,13 @@ mod tests {
     fn a_link_is_found_in_bytes_of_any_kind() {
         let link = "red-croton?v=1&s=7&d=12&df=6.5";
         for file in [
-            [&b"\x89PNG\xff\0iTXt"[..], link.as_bytes(), b"\0\x01\xfe"].concat(),
+            // Its checksum looks like more of the number.
+            [
+                b"\x89PNG\r\n\x1a\n\0\0\0\x01IHDR?0000\0\0\0\x27iTXtLink\0\0\0\0\0",
+                link.as_bytes(),
+                b"77=1\0",
+            ]
+            .concat(),
             format!("<metadata>Clonal Mosaic {}</metadata>", link.replace('&', "&amp;"))
                 .into_bytes(),
             format!("ply\ncomment {link}\nend_header\n\u{1}").into_bytes(),

@@ -45,6 +45,7 @@ fn no_view_breaks_a_rule() {
         "return document.querySelectorAll('#charts-view .chart').length === 5",
     );
     all_rules("the charts");
+    page.run("document.querySelector('#charts-view .close').click()");
     page.click("take-away");
     page.wait_for("the studio", "return document.getElementById('take-away-dialog').open");
     all_rules("what is taken away");
