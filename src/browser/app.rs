@@ -81,7 +81,7 @@ pub fn start() {
         gallery: None,
         bookmark: Bookmark::default(),
         messages: Messages::new(),
-        chooser: Chooser::new(plants::all()),
+        chooser: Chooser::new(),
         timeline: Timeline::new(),
         show_chooser: ShowChooser::new(),
         panel: Panel::new(),

@@ -1,11 +1,12 @@
-//! The plant chooser: one radio button with a picture for each plant.
+//! The plant chooser: one radio button with a picture for each plant, kind by kind.
 
 use super::app;
 use super::dom::{
-    Listener, copy_of_template, find, mark_when_missing, on, set_attribute, set_text, within,
+    Listener, copy_of_template, document, find, mark_when_missing, on, set_attribute, set_text,
+    within,
 };
 use super::files;
-use crate::plants::Plant;
+use crate::plants;
 use crate::play::page::{Event, Page, State};
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlInputElement};
@@ -21,14 +22,18 @@ pub struct Chooser {
 }
 
 impl Chooser {
-    pub fn new(plants: &'static [Plant]) -> Chooser {
+    pub fn new() -> Chooser {
         let list: Element = find("plants");
         list.set_text_content(None);
         let mut listeners = Vec::new();
         let mut pictures = Vec::new();
-        let radios = plants
-            .iter()
-            .map(|plant| {
+        let mut radios = Vec::new();
+        for (name, plants) in plants::kinds() {
+            if let Ok(kind) = document().create_element("p") {
+                kind.set_text_content(Some(name));
+                let _ = list.append_child(&kind);
+            }
+            for plant in plants {
                 let label = copy_of_template("plant-template");
                 let radio: HtmlInputElement = within(&label, "input");
                 radio.set_value(plant.key);
@@ -37,9 +42,9 @@ impl Chooser {
                 listeners.push(mark_when_missing(&picture));
                 pictures.push((picture, format!("posters/{}-small.avif", plant.key)));
                 let _ = list.append_child(&label);
-                radio
-            })
-            .collect();
+                radios.push(radio);
+            }
+        }
         listeners.push(on(&list, "change", |event: web_sys::Event| {
             let radio = event.target().and_then(|t| t.dyn_into::<HtmlInputElement>().ok());
             if let Some(radio) = radio {
@@ -70,10 +75,12 @@ impl Chooser {
         }
     }
 
-    /// On a phone the plants stand in a row that is longer than the screen.
+    /// The plants stand in a list that is longer than its frame, on a phone in a row.
     fn bring_into_sight(&self, radio: &HtmlInputElement) {
         let (row, plant) = (self.list.get_bounding_client_rect(), radio.get_bounding_client_rect());
-        let from_middle = plant.left() + 0.5 * plant.width() - row.left() - 0.5 * row.width();
-        self.list.set_scroll_left(self.list.scroll_left() + from_middle as i32);
+        let right = plant.left() + 0.5 * plant.width() - row.left() - 0.5 * row.width();
+        let down = plant.top() + 0.5 * plant.height() - row.top() - 0.5 * row.height();
+        self.list.set_scroll_left(self.list.scroll_left() + right as i32);
+        self.list.set_scroll_top(self.list.scroll_top() + down as i32);
     }
 }

@@ -2,7 +2,7 @@
 //! cylinders.
 
 use super::{Plant, Show};
-use crate::surface::{ControlImage, Cylinder, DirectionField, Mesh, Wrap};
+use crate::surface::{ControlImage, Cylinder, DirectionField, Mesh, Place, Wrap};
 use crate::tissue::{CellType, Control, Use};
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;
@@ -31,6 +31,18 @@ pub struct Layer {
     pub from: f32,
     pub black: f32,
     pub white: f32,
+}
+
+impl Layer {
+    /// What it makes of a grey at a place, as `diagram.wgsl` does.
+    fn of(&self, mesh: &Mesh, place: Place, grey: f32) -> f32 {
+        if (grey - self.from).abs() >= 0.1 {
+            return grey;
+        }
+        let (turns, height) = self.wrap.coordinates(&self.image, mesh, place);
+        let share = f32::from(self.image.nearest(turns, height)) / 255.0;
+        self.black + (self.white - self.black) * share
+    }
 }
 
 /// Dry ink on pale paper for arrows; for cylinders red pencil, which is seen on black and white.
@@ -96,6 +108,7 @@ fn hue_of_angle(cosine: f32) -> [u8; 4] {
 
 /// What the images leave of a first F cell, white for F, grey for M, black for B, each a little
 /// lighter the more it is tinted; and the cylinders.
+/// Images along veins have no layers: all of them are seen in the middle of each triangle.
 fn images(mesh: &Mesh, controls: Vec<Control>) -> Diagram {
     let mut lines = Vec::new();
     let mut layers = Vec::new();
@@ -114,7 +127,18 @@ fn images(mesh: &Mesh, controls: Vec<Control>) -> Diagram {
         };
         layers.push(Layer { wrap, image, from, black, white });
     }
-    Diagram { layers, lines, ink: PENCIL, ..Diagram::default() }
+    let mut colours = Vec::new();
+    if layers.iter().any(|layer| matches!(layer.wrap, Wrap::Veins(_))) {
+        for triangle in 0..mesh.triangles.len() as u32 {
+            let centre = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
+            let grey = layers.iter().fold(1.0, |grey, layer| layer.of(mesh, centre, grey));
+            // Between a black and a white that still show their shading.
+            let byte = (255.0 * libm::powf(0.015 + 0.785 * grey, 1.0 / 2.2)) as u8;
+            colours.push([byte, byte, byte, 0]);
+        }
+        layers.clear();
+    }
+    Diagram { colours, layers, lines, ink: PENCIL, ..Diagram::default() }
 }
 
 /// Of F, B and M.

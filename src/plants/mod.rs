@@ -13,20 +13,27 @@ macro_rules! mesh_file {
 
 mod amanita;
 mod banded_cactus;
+mod begonia;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod bodies;
 mod cactus;
+mod coleus;
 mod croton;
 mod croton_shrub;
 mod diagram;
 mod document;
 mod expected;
+mod fittonia;
+mod goeppertia;
 mod guides;
 mod long_watermelon;
 mod look;
+mod lungwort;
+mod moon_and_stars;
 mod mushroom;
 pub mod original;
 pub mod paint;
+mod palmate;
 mod philodendron;
 mod philodendron_shoot;
 mod red_croton;
@@ -35,7 +42,10 @@ mod shape;
 mod show;
 mod spikes;
 mod square_watermelon;
+#[cfg(test)]
+mod tests;
 mod watermelon;
+mod winter_squash;
 
 use crate::surface::{DirectionField, Mesh, ObjError, SurfaceError};
 use crate::tissue::{Control, Growth, Recipe, RecipeError};
@@ -58,7 +68,7 @@ pub struct Plant {
     /// English name: `Croton`.
     pub name: Text,
     pub latin: Text,
-    /// The picture, or else the rule, of the thesis that it follows: `Thesis, Fig. 4.3`.
+    /// The picture, or else the rule, of the thesis that it follows: `Thesis, Fig. 4.3`; empty if none.
     pub source: Text,
     /// What the colours of F, B and M are called: `["yellow", "green", ""]`.
     pub colour_names: [Text; 3],
@@ -163,24 +173,46 @@ pub struct View {
     pub zoom: f32,
 }
 
-/// All plants in the order of the chooser.
+/// All plants in the order of the chooser, kind by kind.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 13] = [
+    static ALL: [Plant; 21] = [
         croton::PLANT,
         cactus::PLANT,
-        watermelon::PLANT,
         mushroom::PLANT,
-        philodendron::PLANT,
-        sansevieria::PLANT,
-        square_watermelon::PLANT,
+        lungwort::PLANT,
+        moon_and_stars::PLANT,
         croton_shrub::PLANT,
         red_croton::PLANT,
-        banded_cactus::PLANT,
-        long_watermelon::PLANT,
         amanita::PLANT,
+        philodendron::PLANT,
+        palmate::PLANT,
+        banded_cactus::PLANT,
         philodendron_shoot::PLANT,
+        watermelon::PLANT,
+        sansevieria::PLANT,
+        winter_squash::PLANT,
+        square_watermelon::PLANT,
+        long_watermelon::PLANT,
+        begonia::PLANT,
+        fittonia::PLANT,
+        goeppertia::PLANT,
+        coleus::PLANT,
     ];
     &ALL
+}
+
+/// How far a pattern has a structure of its own beside what clones make, and how many plants are of that kind.
+const KINDS: [(Text, usize); 4] =
+    [("Not structured", 8), ("Partly structured", 4), ("Structured", 5), ("Led by veins", 4)];
+
+/// The plants by the structure of their patterns: the name of each kind, and its plants.
+pub fn kinds() -> impl Iterator<Item = (Text, &'static [Plant])> {
+    let mut rest = all();
+    KINDS.iter().map(move |&(name, count)| {
+        let (of_kind, others) = rest.split_at(count);
+        rest = others;
+        (name, of_kind)
+    })
 }
 
 /// The plant of a key, as it stands in links.
@@ -205,195 +237,4 @@ fn rough(at: f32, item: u32, purpose: u32) -> f32 {
     let value = |k: f32| 2.0 * scatter(item + 64 * k as u32, purpose) - 1.0;
     let t = at - whole;
     value(whole) * (1.0 - t) + value(whole + 1.0) * t
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::surface::{Cylinder, NO_TWIN, Place, Wrap};
-    use crate::tissue::CellType;
-    use crate::tissue::CellType::Foreground;
-    use crate::tissue::Progress;
-    use glam::Vec3;
-
-    fn surface(key: &str) -> Mesh {
-        find(key).unwrap().embedded_body().surface
-    }
-
-    /// What becomes of a first F cell in the middle of a triangle.
-    fn first_type(mesh: &Mesh, controls: &[Control], triangle: u32) -> CellType {
-        let centre = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
-        controls.iter().fold(Foreground, |kind, c| c.first_type(mesh, centre, kind))
-    }
-
-    #[test]
-    fn every_plant_is_sound() {
-        for plant in all() {
-            assert!(std::ptr::eq(find(plant.key).unwrap(), plant));
-            plant.recipe.check().unwrap();
-            assert_eq!(plant.guides.is_some(), plant.recipe.anisotropy > 0.0, "{}", plant.key);
-            assert!(plant.first_day <= plant.recipe.days, "{}", plant.key);
-            let body = plant.embedded_body();
-            body.surface.check().unwrap();
-            let triangles = body.surface.triangles.len();
-            assert!((3_500..=16_000).contains(&triangles), "{}: {triangles}", plant.key);
-            for part in &body.ornaments {
-                let named = plant.look.bare.iter().any(|&(name, ..)| name == part.material);
-                assert!(named, "{} has no colour for {}", plant.key, part.material);
-            }
-        }
-        assert!(find("nettle").is_none());
-    }
-
-    #[test]
-    fn triangles_are_of_like_size_and_no_slivers() {
-        for plant in all() {
-            let mesh = plant.embedded_body().surface;
-            let mut areas = mesh.areas.clone();
-            areas.sort_by(f32::total_cmp);
-            let at = |share: f32| areas[(share * (areas.len() - 1) as f32) as usize];
-            assert!(at(0.95) < 2.0 * at(0.5), "{}", plant.key);
-            assert!(at(0.05) > 0.25 * at(0.5), "{}", plant.key);
-            // 1 for an equilateral triangle, 0 for a line.
-            let quality = |t: u32| {
-                let [a, b, c] = mesh.corners(t);
-                let squares = a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a);
-                4.0 * 3_f32.sqrt() * mesh.areas[t as usize] / squares
-            };
-            let worst = (0..mesh.triangles.len() as u32).map(quality).fold(1.0, f32::min);
-            assert!(worst > 0.35, "{}: {worst}", plant.key);
-        }
-    }
-
-    #[test]
-    fn every_plant_stands_on_the_ground() {
-        for plant in all() {
-            let body = plant.embedded_body();
-            let bare = body.ornaments.iter().flat_map(|part| &part.positions);
-            let lowest = body.surface.positions.iter().chain(bare).map(|p| p.y).fold(9.0, f32::min);
-            assert!((-0.15..0.1).contains(&lowest), "{}: {lowest}", plant.key);
-        }
-    }
-
-    #[test]
-    fn melons_are_closed_and_caps_and_leaves_are_open() {
-        for (key, parts, closed) in [
-            ("croton", 18, false),
-            ("cactus", 2, false),
-            ("mushroom", 2, false),
-            ("philodendron", 6, false),
-            ("sansevieria", 6, false),
-            ("watermelon", 1, true),
-            ("square-watermelon", 1, true),
-            ("long-watermelon", 1, true),
-        ] {
-            let mesh = surface(key);
-            assert_eq!(mesh.part_count(), parts, "{key}");
-            assert_eq!(!mesh.twins.contains(&NO_TWIN), closed, "{key}");
-        }
-    }
-
-    #[test]
-    fn the_leaves_of_a_shoot_are_of_the_ages_of_the_figure() {
-        let shoot = find("philodendron-shoot").unwrap();
-        let unfolding_days = shoot.motion.unfolding_days;
-        assert_eq!(unfolding_days.len(), surface(shoot.key).part_count());
-        let ages = unfolding_days.iter().map(|unfolded| shoot.first_day - unfolded);
-        assert!(ages.eq([32, 30, 27, 25, 23, 20]));
-    }
-
-    #[test]
-    fn stripes_of_lying_fruits_begin_level_with_their_axes() {
-        for key in ["watermelon", "long-watermelon"] {
-            let Wrap::Cylinder(Cylinder { axis, zero, .. }) = find(key).unwrap().paint[0].wrap
-            else {
-                panic!("{key} has a cylinder");
-            };
-            assert_eq!(zero, axis.cross(Vec3::Y).normalize(), "{key}");
-        }
-    }
-
-    #[test]
-    fn a_square_melon_is_a_cube() {
-        let mesh = surface("square-watermelon");
-        let far = |axis: Vec3| mesh.positions.iter().map(|p| p.dot(axis)).fold(0.0, f32::max);
-        for width in [far(Vec3::X) + far(-Vec3::X), far(Vec3::Z) + far(-Vec3::Z), far(Vec3::Y)] {
-            assert!((18.0..19.2).contains(&width), "{width} cm");
-        }
-        // To the middle of an upright edge that is rounded by 3 cm.
-        let edge = far(Vec3::new(1.0, 0.0, 1.0).normalize());
-        assert!((edge - (6.0 * 2_f32.sqrt() + 3.0)).abs() < 0.3, "{edge} cm");
-    }
-
-    #[test]
-    fn a_snake_plant_has_clean_margins_and_bands_within() {
-        let mesh = surface("sansevieria");
-        let controls = find("sansevieria").unwrap().controls();
-        let mut shares = [0.0; 3];
-        for triangle in 0..mesh.triangles.len() as u32 {
-            let kind = first_type(&mesh, &controls, triangle);
-            shares[kind as usize] += mesh.areas[triangle as usize] / mesh.area;
-            // No leaf coordinate of one leaf lies on another's place in the image.
-            let corners = mesh.triangles[triangle as usize].map(|v| mesh.uvs[v as usize].x);
-            let place = mesh.parts[triangle as usize] as f32;
-            assert!(corners.iter().all(|x| (-1e-4..1.0001).contains(&(5.0 * (x + 1.0) - place))));
-        }
-        let expected = [0.27, 0.43, 0.3];
-        assert!(shares.iter().zip(expected).all(|(a, b)| (a - b).abs() < 0.04), "{shares:?}");
-    }
-
-    #[test]
-    fn leaves_know_their_midrib_and_rims() {
-        for key in ["croton", "philodendron"] {
-            let mesh = surface(key);
-            assert_eq!(mesh.uvs.len(), mesh.positions.len());
-            assert!(mesh.uvs.iter().all(|uv| uv.x.abs() <= 1.0 && (0.0..=1.0).contains(&uv.y)));
-            // On the upper side of a blade the texture is not mirrored.
-            let along = |t: usize| {
-                let [a, b, c] = mesh.triangles[t].map(|v| mesh.uvs[v as usize]);
-                (b - a).perp_dot(c - a) > 0.0
-            };
-            assert!((0..mesh.triangles.len()).all(along), "{key}");
-        }
-    }
-
-    #[test]
-    fn control_images_leave_both_types_their_share() {
-        for (key, white) in [
-            ("croton", 0.7),
-            ("watermelon", 0.36),
-            ("mushroom", 0.9),
-            ("philodendron", 0.4),
-            ("square-watermelon", 0.36),
-            ("long-watermelon", 0.36),
-            ("banded-cactus", 0.5),
-            ("amanita", 0.7),
-        ] {
-            let mesh = surface(key);
-            let controls = find(key).unwrap().controls();
-            for control in &controls {
-                let Wrap::Cylinder(Cylinder { axis, zero, .. }) = control.wrap else { continue };
-                assert!((axis.length() - 1.0).abs() < 1e-6);
-                assert!((zero.length() - 1.0).abs() < 1e-6);
-                assert!(axis.dot(zero).abs() < 1e-6);
-            }
-            let allowed: f32 = (0..mesh.triangles.len() as u32)
-                .filter(|&t| first_type(&mesh, &controls, t) == Foreground)
-                .map(|t| mesh.areas[t as usize])
-                .sum();
-            let share = allowed / mesh.area;
-            assert!((share - white).abs() < 0.06, "{key}: {share}");
-        }
-    }
-
-    #[test]
-    fn walks_on_our_meshes_are_never_caught() {
-        for plant in all() {
-            let recipe = Recipe { days: 1, ..plant.recipe.clone() };
-            let mesh = Arc::new(plant.embedded_body().surface);
-            let mut growth = plant.sow(mesh, recipe, 1).unwrap();
-            while growth.step() != Progress::Done {}
-            assert_eq!(growth.caught_walks(), 0, "{}", plant.key);
-        }
-    }
 }

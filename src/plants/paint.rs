@@ -7,8 +7,8 @@ mod leaves;
 mod pixels;
 mod stripes;
 
-use super::{kept, scatter};
-use crate::surface::{ControlImage, Wrap};
+use super::{List, Text, kept, scatter};
+use crate::surface::{AlongVeins, ControlImage, Wrap};
 use crate::tissue::{Control, Use};
 pub use belts::Belts;
 pub use blaze::Blaze;
@@ -65,7 +65,26 @@ pub struct Grain {
 /// The greatest number of pixels of an image: four million bytes.
 const MOST_PIXELS: u64 = 4_000_000;
 
+/// Rows of `along_veins`: white beside the veins alone, or away from them.
+pub(super) const NEAR: List<Text> = &["0", "f"];
+pub(super) const AWAY: List<Text> = &["f", "0"];
+
 impl Paint {
+    /// Greys by the distance from veins up to an order, from `reach_cm`, the first row, to the veins.
+    pub(super) const fn along_veins(
+        order: u32,
+        reach_cm: f32,
+        rows: List<Text>,
+        use_as: Use,
+    ) -> Paint {
+        let height = rows.len() as u32;
+        Paint {
+            wrap: Wrap::Veins(AlongVeins { order, reach_cm }),
+            image: Image { width: 1, height, rule: ImageRule::Pixels(Pixels { rows }) },
+            use_as,
+        }
+    }
+
     /// The control image, painted.
     pub fn control(&self) -> Control {
         Control { wrap: self.wrap, image: self.image.paint(), use_as: self.use_as }
@@ -73,8 +92,10 @@ impl Paint {
 
     /// Whether it can be painted; else why not.
     pub fn check(&self) -> Result<(), String> {
-        if let Wrap::Cylinder(cylinder) = &self.wrap {
-            cylinder.check()?;
+        match &self.wrap {
+            Wrap::Cylinder(cylinder) => cylinder.check()?,
+            Wrap::Veins(along) => along.check()?,
+            Wrap::Leaf => {}
         }
         self.image.check()
     }

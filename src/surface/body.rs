@@ -1,6 +1,7 @@
 //! A body: the patterned surface of a plant and the bare parts that stand beside it.
 
-use super::{ControlImage, Mesh, Place, PolygonMesh, Wrap};
+use super::veins::Piece;
+use super::{ControlImage, Mesh, Place, PolygonMesh, Veins, Wrap};
 use glam::{Vec2, Vec3};
 
 /// What a plant is made of.
@@ -74,7 +75,9 @@ impl Body {
         } else {
             old.iter().map(|&v| polygons.uvs[v as usize]).collect()
         };
-        Ok(Body { surface: Mesh::new(positions, uvs, triangles)?, ornaments })
+        let mut surface = Mesh::new(positions, uvs, triangles)?;
+        surface.veins = Veins::new(pieces(polygons)?, &surface);
+        Ok(Body { surface, ornaments })
     }
 
     /// No pattern where a control image is black (Thesis 3.2.3): the triangles whose centres lie
@@ -116,10 +119,26 @@ impl Body {
         let uvs = old.iter().filter_map(|&v| whole.uvs.get(v as usize).copied()).collect();
         let mut surface = Mesh::new(of_old(&whole.positions, &old), uvs, triangles)?;
         surface.normals = of_old(&whole.normals, &old);
+        surface.veins = Veins::new(whole.veins.pieces.clone(), &surface);
         self.surface = surface;
         self.ornaments.push(bare);
         Ok(self)
     }
+}
+
+/// The straight pieces of veins.
+fn pieces(polygons: &PolygonMesh) -> Result<Vec<Piece>, SurfaceError> {
+    let at = |&vertex: &u32| {
+        let point = polygons.positions[vertex as usize];
+        if point.is_finite() { Ok(point) } else { Err(SurfaceError::NotFinite { vertex }) }
+    };
+    let mut pieces = Vec::new();
+    for line in &polygons.lines {
+        for ends in line.vertices.windows(2) {
+            pieces.push(Piece { order: line.order, ends: [at(&ends[0])?, at(&ends[1])?] });
+        }
+    }
+    Ok(pieces)
 }
 
 /// Cuts a convex polygon into triangles. Quads are cut along their shorter diagonal, larger polygons as

@@ -1,6 +1,6 @@
 //! Cylinders around a body and the control images on them (Thesis 3.2.2, 3.2.3; Paper Fig. 4).
 
-use super::{Mesh, Place};
+use super::{AlongVeins, Mesh, Place};
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
@@ -36,6 +36,9 @@ pub enum Wrap {
     /// Spread over every leaf by its leaf coordinates, from rim to rim and from base to tip. (The
     /// thesis wraps each leaf in a cylinder; leaf coordinates follow blades that bend.)
     Leaf,
+    /// By the distance from the veins of the body: across the image from midrib to rim by leaf
+    /// coordinates, if there are some, and upwards away from the veins.
+    Veins(AlongVeins),
 }
 
 impl Wrap {
@@ -50,11 +53,21 @@ impl Wrap {
             Wrap::Cylinder(cylinder) => cylinder.coordinates(mesh.point(place)),
             Wrap::Leaf => {
                 let leaf = mesh.uv(place);
-                let outermost = 0.5 / image.width as f32;
-                ((0.5 * (leaf.x + 1.0)).clamp(outermost, 1.0 - outermost), leaf.y)
+                (within(image, 0.5 * (leaf.x + 1.0)), leaf.y)
+            }
+            Wrap::Veins(AlongVeins { order, reach_cm }) => {
+                let across = if mesh.uvs.is_empty() { 0.0 } else { mesh.uv(place).x.abs() };
+                let distance_cm = mesh.veins.distance_cm(mesh, place, *order);
+                (within(image, across), distance_cm / reach_cm)
             }
         }
     }
+}
+
+/// Turns as far inside the seam as the centres of an image's outermost columns.
+fn within(image: &ControlImage, turns: f32) -> f32 {
+    let outermost = 0.5 / image.width as f32;
+    turns.clamp(outermost, 1.0 - outermost)
 }
 
 impl Cylinder {
@@ -116,9 +129,14 @@ impl ControlImage {
     /// Whether the pixel at an angle (in turns, wraps around) and a height (ends are repeated) is
     /// white: for uses that have a sharp border.
     pub fn is_white(&self, turns: f32, height: f32) -> bool {
+        self.nearest(turns, height) >= 128
+    }
+
+    /// The pixel there, 0 black to 255 white.
+    pub fn nearest(&self, turns: f32, height: f32) -> u8 {
         let column = ((turns * self.width as f32) as u32) % self.width;
         let row = ((height * self.height as f32).max(0.0) as u32).min(self.height - 1);
-        self.pixel(column, row) >= 128
+        self.pixel(column, row)
     }
 
     /// The grey value there, 0 black to 1 white, bilinear between pixel centres: for uses that

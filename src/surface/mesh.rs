@@ -1,7 +1,7 @@
 //! A triangle mesh with half-edges, and a flat frame on each of its triangles.
 
-use super::SurfaceError;
 use super::lengths::normalized;
+use super::{SurfaceError, Veins};
 use glam::{Vec2, Vec3};
 
 /// Marks a half-edge on the rim of an open surface.
@@ -48,6 +48,8 @@ pub struct Mesh {
     /// Areas of the triangles, and their sum.
     pub areas: Vec<f32>,
     pub area: f32,
+    /// Those that a body has on it.
+    pub veins: Veins,
 }
 
 impl Mesh {
@@ -78,7 +80,20 @@ impl Mesh {
             return Err(SurfaceError::TooLarge);
         }
         let normals = vertex_normals(&positions, &triangles);
-        Ok(Mesh { positions, normals, uvs, triangles, twins, parts, frames, turns, areas, area })
+        let veins = Veins::default();
+        Ok(Mesh {
+            positions,
+            normals,
+            uvs,
+            triangles,
+            twins,
+            parts,
+            frames,
+            turns,
+            areas,
+            area,
+            veins,
+        })
     }
 
     /// The corners of a triangle in space.

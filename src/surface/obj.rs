@@ -15,6 +15,8 @@ pub struct PolygonMesh {
     pub uvs: Vec<Vec2>,
     pub faces: Vec<Face>,
     pub groups: Vec<Group>,
+    /// Veins.
+    pub lines: Vec<Line>,
 }
 
 /// One polygon: its corners counter-clockwise seen from outside (or from above, on a leaf).
@@ -23,6 +25,14 @@ pub struct Face {
     pub vertices: Vec<u32>,
     /// Index into `PolygonMesh::groups`.
     pub group: u32,
+}
+
+/// A vein as a line from vertex to vertex, which no face needs to have.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    pub vertices: Vec<u32>,
+    /// That of the vein: 2 under the material `vein:2`.
+    pub order: u32,
 }
 
 /// A run of faces under one `g` name and one `usemtl` name.
@@ -45,9 +55,9 @@ pub enum ObjError {
 
 impl PolygonMesh {
     /// Reads an OBJ text: `v`, `vt`, `f` or its old name `fo` (any polygon, `v`, `v/vt`, `v//vn`,
-    /// `v/vt/vn`, negative indices), `g`/`o`, `usemtl`, numbers that a backslash continues on the next
-    /// line; everything else is passed over (normals, vertex colours, the weight `w`, lines, smoothing
-    /// groups, faces of fewer than three corners).
+    /// `v/vt/vn`, negative indices), `g`/`o`, `usemtl`, `l` under a material `vein:ORDER`, numbers that a
+    /// backslash continues on the next line; everything else is passed over (normals, vertex colours, the
+    /// weight `w`, other lines, smoothing groups, faces of fewer than three corners).
     ///
     /// Positions are rounded to f32 and may be infinite or NaN. Texture coordinates are kept if no
     /// position has two of them; a position without any has `(0, 0)` then. Those that are no finite
@@ -116,6 +126,16 @@ impl PolygonMesh {
             }
             text.push('\n');
         }
+        for lines in self.lines.chunk_by(|a, b| a.order == b.order) {
+            let _ = writeln!(text, "usemtl vein:{}", lines[0].order);
+            for line in lines {
+                text.push('l');
+                for &v in &line.vertices {
+                    let _ = write!(text, " {}", v + 1);
+                }
+                text.push('\n');
+            }
+        }
         text
     }
 }
@@ -129,9 +149,9 @@ mod tests {
         let parse = |text: &str| PolygonMesh::parse(text).unwrap();
         let mesh = parse(
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.1 -2.5e-7 3e5\nvt 0 0\nvt -1 0.3\nvt 1 0.3\ng a\nusemtl x\nf 1/1 2/2 3/3\n\
-             usemtl bare:y\nf 4 5 1\nusemtl x\nf 3/3 4/1 1/1 2/2\n",
+             usemtl bare:y\nf 4 5 1\nusemtl x\nf 3/3 4/1 1/1 2/2\nusemtl vein:1\nl 1 2 3\nl 5 4\nusemtl vein:12\nl 2 5\n",
         );
-        assert_eq!(mesh.uvs.len(), 5);
+        assert_eq!((mesh.uvs.len(), mesh.lines.len()), (5, 3));
         assert_eq!(parse(&mesh.to_obj()), mesh);
     }
 }

@@ -1,6 +1,6 @@
 //! OBJ text, statement by statement.
 
-use super::{Face, Group, ObjError, PolygonMesh, quoted};
+use super::{Face, Group, Line, ObjError, PolygonMesh, quoted};
 use glam::Vec2;
 use std::collections::HashMap;
 use std::str::FromStr;
@@ -88,6 +88,7 @@ impl<N: FromStr> Reader<N> {
                 self.uvs.push(Vec2::new(x, words.next().map_or(0.0, value)));
             }
             Some("f" | "fo") => self.read_face(words, line)?,
+            Some("l") => self.read_vein(words, line)?,
             Some("g" | "o") => self.part = name(statement),
             Some("usemtl") => self.material = name(statement),
             _ => {}
@@ -118,6 +119,24 @@ impl<N: FromStr> Reader<N> {
         }
         let group = self.group();
         self.mesh.faces.push(Face { vertices, group });
+        Ok(())
+    }
+
+    /// Lines of other materials are none of ours.
+    fn read_vein<'a>(
+        &mut self,
+        words: impl Iterator<Item = &'a str>,
+        line: usize,
+    ) -> Result<(), String> {
+        let order = self.material.strip_prefix("vein:").and_then(|order| order.parse().ok());
+        let Some(order) = order else { return Ok(()) };
+        let mut vertices = Vec::new();
+        for word in words {
+            let vertex = index(word.split('/').next(), self.positions.len(), word)?;
+            self.farthest = self.farthest.max((vertex, line));
+            vertices.push(vertex);
+        }
+        self.mesh.lines.push(Line { vertices, order });
         Ok(())
     }
 
@@ -163,7 +182,7 @@ fn uvs_of_positions(count: usize, uvs: &[Vec2], corners: &[(u32, u32)]) -> Optio
 /// Whether numbers stand in a statement, and no names.
 fn takes_numbers(statement: &str) -> bool {
     let keyword = statement.split_whitespace().next().unwrap_or_default();
-    matches!(keyword.trim_end_matches('\\'), "v" | "vt" | "f" | "fo")
+    matches!(keyword.trim_end_matches('\\'), "v" | "vt" | "f" | "fo" | "l")
 }
 
 /// The words after the first, without a comment. It starts at a `#` that starts a word: names may hold

@@ -4,12 +4,13 @@
 //! Computer-Aided Design 10 (1978); rims as in H. Biermann, A. Levin, D. Zorin, Piecewise smooth
 //! subdivision surfaces with normal control, SIGGRAPH 2000.
 
-use super::{Face, Group, PolygonMesh};
+use super::{Face, Group, Line, PolygonMesh};
+use glam::Vec2;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::{Add, Mul};
 
 impl PolygonMesh {
-    /// `levels` rounds of Catmull-Clark subdivision; texture coordinates are carried along. Rims of
+    /// `levels` rounds of Catmull-Clark subdivision; texture coordinates are carried along, veins are not. Rims of
     /// open surfaces become cubic B-spline curves that depend on the rim alone, so that parts which
     /// share a rim but no vertices stay together. Only `+ - * /`, so that every machine gets the
     /// same bits.
@@ -41,6 +42,16 @@ impl PolygonMesh {
         let mut whole = PolygonMesh { groups: self.groups.clone(), ..PolygonMesh::default() };
         for (level, faces) in by_level {
             whole.append(self.cut_out(&faces).refined(level));
+        }
+        // Veins lie on the refined surface, as they are.
+        for line in &self.lines {
+            let first = whole.positions.len() as u32;
+            whole.positions.extend(line.vertices.iter().map(|&v| self.positions[v as usize]));
+            let vertices = (first..whole.positions.len() as u32).collect();
+            whole.lines.push(Line { vertices, ..*line });
+        }
+        if !whole.uvs.is_empty() {
+            whole.uvs.resize(whole.positions.len(), Vec2::ZERO);
         }
         whole
     }
@@ -80,6 +91,7 @@ impl PolygonMesh {
             uvs: if self.uvs.is_empty() { Vec::new() } else { net.subdivide(&self.uvs) },
             faces: net.quads(self.positions.len()),
             groups: self.groups.clone(),
+            lines: Vec::new(),
         }
     }
 }

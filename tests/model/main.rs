@@ -17,6 +17,7 @@ mod recipes;
 mod scaling;
 mod texts;
 mod tiling;
+mod veins;
 mod walking;
 
 use clonal_mosaic::surface::{DirectionField, Mesh};

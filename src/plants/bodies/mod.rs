@@ -3,14 +3,22 @@
 //! The program itself only reads those files. After a change of a rule,
 //! `cargo test rewrite_meshes -- --ignored` writes them anew.
 
+mod begonia;
+mod blade;
 mod cactus;
+mod coleus;
 mod croton;
+mod fittonia;
+mod goeppertia;
+mod lungwort;
 mod mushroom;
+mod palmate;
 mod philodendron;
 mod sansevieria;
 mod sketch;
 mod square_watermelon;
 mod watermelon;
+mod winter_squash;
 
 use crate::surface::{Mesh, PolygonMesh};
 use glam::Vec3;
@@ -19,7 +27,7 @@ use std::collections::BTreeSet;
 type Rule = fn() -> PolygonMesh;
 
 /// The name of each file under `meshes/` and the rule that makes it.
-const RULES: [(&str, Rule); 8] = [
+const RULES: [(&str, Rule); 15] = [
     ("croton", croton::grow),
     ("cactus", cactus::grow),
     ("watermelon", watermelon::grow),
@@ -28,6 +36,13 @@ const RULES: [(&str, Rule); 8] = [
     ("square_watermelon", square_watermelon::grow),
     ("long_watermelon", watermelon::grow_long),
     ("sansevieria", sansevieria::grow),
+    ("begonia", begonia::grow),
+    ("fittonia", fittonia::grow),
+    ("palmate", palmate::grow),
+    ("lungwort", lungwort::grow),
+    ("goeppertia", goeppertia::grow),
+    ("winter_squash", winter_squash::grow),
+    ("coleus", coleus::grow),
 ];
 
 fn path(name: &str) -> std::path::PathBuf {
@@ -44,7 +59,7 @@ fn committed_meshes_are_what_the_rules_make() {
         let committed = std::fs::read_to_string(path(name)).unwrap();
         let grown = text(name, &grow());
         assert!(committed == grown, "{name}.obj: run `cargo test rewrite_meshes -- --ignored`");
-        assert!(committed.len() < 60_000, "{name}.obj has {} bytes", committed.len());
+        assert!(committed.len() < 90_000, "{name}.obj has {} bytes", committed.len());
     }
 }
 
@@ -58,10 +73,15 @@ fn rewrite_meshes() {
 
 #[test]
 fn leaves_do_not_cut_through_each_other() {
-    for key in ["croton", "philodendron", "sansevieria"] {
+    let leafy = ["croton", "philodendron", "sansevieria", "begonia", "fittonia", "palmate"];
+    let mut wrong = Vec::new();
+    for key in leafy.into_iter().chain(["lungwort", "goeppertia", "coleus"]) {
         let cuts = cuts(&crate::plants::find(key).unwrap().embedded_body().surface);
-        assert!(cuts.is_empty(), "{key}, pairs of leaves: {cuts:?}");
+        if !cuts.is_empty() {
+            wrong.push(format!("{key}, pairs of leaves: {cuts:?}"));
+        }
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// The pairs of parts, from 1, that go through each other.

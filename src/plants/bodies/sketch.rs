@@ -49,6 +49,27 @@ impl Sketch {
         }
     }
 
+    /// A row of polygons between two lines of vertices, of which the first may have a single one and the
+    /// second, too: as many as the shorter one has steps. Both lines run to the right, seen from outside with
+    /// the first one below, or to the left if it is mirrored.
+    pub fn strip(&mut self, below: &[u32], above: &[u32], is_mirrored: bool) {
+        let steps = (below.len() - 1).min(above.len() - 1).max(1);
+        // Where a step of the shorter line begins in the other one.
+        let start = |line: &[u32], step: usize| {
+            let count = line.len() - 1;
+            (2 * step * count + steps) / (2 * steps)
+        };
+        for step in 0..steps {
+            let piece = |line: &[u32]| line[start(line, step)..=start(line, step + 1)].to_vec();
+            let mut face = piece(below);
+            face.extend(piece(above).into_iter().rev());
+            if is_mirrored {
+                face.reverse();
+            }
+            self.face(&face);
+        }
+    }
+
     /// A closed ring of vertices from its points.
     pub fn ring(&mut self, points: impl IntoIterator<Item = Vec3>) -> Vec<u32> {
         points.into_iter().map(|p| self.vertex(p)).collect()

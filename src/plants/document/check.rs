@@ -1,5 +1,6 @@
 //! Whether a plant's numbers are in their ranges.
 
+use super::super::paint::Paint;
 use super::super::{Look, Plant, View};
 use super::PlantError;
 use crate::surface::{Mesh, Wrap, quoted};
@@ -47,6 +48,12 @@ impl Plant {
         if let Some(number) = on_leaves.filter(|_| surface.uvs.is_empty()) {
             return Err(PlantError(format!(
                 "paint[{number}] lies on leaf coordinates: this mesh has none"
+            )));
+        }
+        let without = |paint: &Paint| matches!(&paint.wrap, Wrap::Veins(along) if !surface.veins.any(along.order));
+        if let Some(number) = self.paint.iter().position(without) {
+            return Err(PlantError(format!(
+                "paint[{number}] lies along veins: this mesh has none of that order"
             )));
         }
         self.field(surface).map_err(|why| PlantError(format!("guides: {why}")))?;

@@ -1,0 +1,171 @@
+//! Veins: lines on a surface, and how far a place lies from the nearest of them.
+
+use super::{Mesh, Place};
+use glam::Vec3;
+use serde::{Deserialize, Serialize};
+
+/// The veins of a mesh, cut into straight pieces.
+#[derive(Clone, Debug, Default)]
+pub struct Veins {
+    pub(super) pieces: Vec<Piece>,
+    /// The pieces that may be nearest to a place of a triangle, one triangle after the other.
+    near: Vec<u32>,
+    /// Where in `near` those of each triangle end.
+    ends: Vec<u32>,
+}
+
+/// A straight piece of a vein in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// 1 for a midrib, 2 for a vein that leaves it, and so on.
+    pub order: u32,
+    pub ends: [Vec3; 2],
+}
+
+/// How an image lies by the distance from veins.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AlongVeins {
+    /// Veins up to this order count, from 1 on.
+    pub order: u32,
+    /// From the veins, the bottom of the image, to its top.
+    pub reach_cm: f32,
+}
+
+impl Piece {
+    fn distance_cm(&self, point: Vec3) -> f32 {
+        let [from, to] = self.ends;
+        let (along, way) = (to - from, point - from);
+        // A piece without length is a point.
+        let share = way.dot(along) / along.length_squared().max(f32::MIN_POSITIVE);
+        (way - along * share.clamp(0.0, 1.0)).length()
+    }
+}
+
+impl Veins {
+    pub(super) fn new(pieces: Vec<Piece>, mesh: &Mesh) -> Veins {
+        let mut veins = Veins { pieces, ..Veins::default() };
+        if veins.pieces.is_empty() {
+            return veins;
+        }
+        let all: Vec<u32> = (0..veins.pieces.len() as u32).collect();
+        let triangles: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
+        // Triangles that follow each other mostly lie side by side.
+        for block in triangles.chunks(64) {
+            let corners: Vec<Vec3> = block.iter().flat_map(|&t| mesh.corners(t)).collect();
+            let of_block = veins.close_to(&corners, &all);
+            for &triangle in block {
+                let near = veins.close_to(&mesh.corners(triangle), &of_block);
+                veins.near.extend(near);
+                veins.ends.push(veins.near.len() as u32);
+            }
+        }
+        veins
+    }
+
+    /// Those of some pieces that may be nearest, of all up to some order, to a place between corners. A place
+    /// is at most a radius nearer to one piece than the centre is, and farther from another one; a little
+    /// more for rounding.
+    fn close_to(&self, corners: &[Vec3], among: &[u32]) -> Vec<u32> {
+        let centre = corners.iter().sum::<Vec3>() / corners.len() as f32;
+        let radius = corners.iter().map(|p| p.distance(centre)).fold(0.0, f32::max);
+        let pieces: Vec<(u32, u32, f32)> = among
+            .iter()
+            .map(|&k| {
+                (k, self.pieces[k as usize].order, self.pieces[k as usize].distance_cm(centre))
+            })
+            .collect();
+        let mut farthest: Vec<(u32, f32)> = Vec::new();
+        let mut close = Vec::new();
+        for &(k, order, distance) in &pieces {
+            let known = farthest.iter().find(|(of, _)| *of == order).map(|(_, cm)| *cm);
+            let farthest_cm = known.unwrap_or_else(|| {
+                let up_to = pieces.iter().filter(|piece| piece.1 <= order);
+                let nearest = up_to.fold(f32::INFINITY, |least, piece| least.min(piece.2));
+                farthest.push((order, nearest + 2.001 * radius));
+                nearest + 2.001 * radius
+            });
+            if distance <= farthest_cm {
+                close.push(k);
+            }
+        }
+        close
+    }
+
+    /// How far a place lies from the nearest vein up to an order, straight through space; infinitely far
+    /// where there is none.
+    pub fn distance_cm(&self, mesh: &Mesh, place: Place, order: u32) -> f32 {
+        let triangle = place.triangle as usize;
+        let Some(&end) = self.ends.get(triangle) else { return f32::INFINITY };
+        let start = if triangle == 0 { 0 } else { self.ends[triangle - 1] };
+        let point = mesh.point(place);
+        let pieces = self.near[start as usize..end as usize].iter();
+        let of = pieces.map(|&k| &self.pieces[k as usize]).filter(|piece| piece.order <= order);
+        of.fold(f32::INFINITY, |least, piece| least.min(piece.distance_cm(point)))
+    }
+
+    /// Whether there is a vein up to an order.
+    pub fn any(&self, order: u32) -> bool {
+        self.pieces.iter().any(|piece| piece.order <= order)
+    }
+}
+
+impl AlongVeins {
+    /// Whether its numbers are in their ranges; else what is wrong, in words.
+    pub fn check(&self) -> Result<(), String> {
+        match (self.order, self.reach_cm) {
+            (0, _) => Err("order is 0: veins are of order 1 and more".into()),
+            (_, 0.001..=1000.0) => Ok(()),
+            (_, reach) => Err(format!("reach_cm is {reach}: it must be from 0.001 to 1000")),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::surface::icosphere;
+
+    /// Numbers from -1 to 1 in no order.
+    fn scattered(k: u32) -> f32 {
+        (k.wrapping_mul(2_654_435_761) >> 8) as f32 / (1 << 23) as f32 - 1.0
+    }
+
+    #[test]
+    fn the_nearest_vein_is_found_among_all_of_them() {
+        let mesh = icosphere(3, 10.0);
+        let point = |k: u32| 10.0 * Vec3::from([0, 1, 2].map(|axis| scattered(3 * k + axis)));
+        let pieces: Vec<Piece> = (0..120)
+            .map(|k| Piece { order: 1 + k % 3, ends: [point(2 * k), point(2 * k + 1)] })
+            .collect();
+        let veins = Veins::new(pieces.clone(), &mesh);
+        for k in 0..4_000 {
+            let b1 = 0.5 + 0.5 * scattered(7 * k);
+            let place = Place {
+                triangle: k % mesh.triangles.len() as u32,
+                b1,
+                b2: (1.0 - b1) * (0.5 + 0.5 * scattered(7 * k + 1)),
+            };
+            for order in 0..=4 {
+                let of = pieces.iter().filter(|piece| piece.order <= order);
+                let all = of.map(|piece| piece.distance_cm(mesh.point(place)));
+                let nearest = all.fold(f32::INFINITY, f32::min);
+                assert_eq!(veins.distance_cm(&mesh, place, order), nearest, "{place:?}");
+            }
+        }
+        // Few are looked at.
+        assert!(veins.near.len() < pieces.len() * mesh.triangles.len() / 4);
+    }
+
+    #[test]
+    fn distances_are_those_from_lines_with_ends() {
+        let piece = Piece { order: 1, ends: [Vec3::ZERO, 4.0 * Vec3::X] };
+        for (point, distance_cm) in
+            [([1.0, 3.0, 4.0], 5.0), ([7.0, 0.0, 4.0], 5.0), ([-3.0, 4.0, 0.0], 5.0)]
+        {
+            assert_eq!(piece.distance_cm(Vec3::from(point)), distance_cm);
+        }
+        let dot = Piece { order: 1, ends: [Vec3::ONE; 2] };
+        assert_eq!(dot.distance_cm(Vec3::new(1.0, 1.0, 3.0)), 2.0);
+    }
+}
