@@ -51,19 +51,19 @@ impl Order {
     /// # Errors
     /// In plain words, what cannot be grown so.
     pub fn new(kind: Kind, scene: &Scene, body: Body) -> Result<(Order, Growth), String> {
-        let mut scene = scene.clone();
-        scene.recipe.days = scene.day;
+        let mut grown = scene.clone();
+        grown.recipe.days = scene.day;
         let Body { surface, ornaments } = body;
         let is_tile = kind == Kind::Tile;
-        let mesh = Arc::new(if is_tile { ground_of_tile(&scene)? } else { surface });
+        let mesh = Arc::new(if is_tile { ground_of_tile(scene)? } else { surface });
         let sown = if is_tile {
-            Growth::new(mesh.clone(), scene.recipe.clone(), &[], scene.individual)
+            Growth::new(mesh.clone(), grown.recipe, &[], scene.individual)
                 .map(|growth| (growth, None))
         } else {
-            scene.sow(mesh.clone())
+            grown.sow(mesh.clone())
         };
         let (growth, noise) = sown.map_err(|e| e.to_string())?;
-        Ok((Order { kind, scene, mesh, ornaments, noise }, growth))
+        Ok((Order { kind, scene: scene.clone(), mesh, ornaments, noise }, growth))
     }
 
     /// Writes the last day of a diary of the growth. `name` is what an OBJ calls the file of its materials.

@@ -151,9 +151,12 @@ mod tests {
         let broken = plant.to_json().replace("\"recipe\"", "\"recipes\"");
         assert!(link_of_file(broken.as_bytes(), &scene("")).is_err());
 
+        // A recipe grows on the plant that is there, if links can say it.
         let now = scene("cactus?v=1&s=3&d=2");
-        let link = link_of_file(changed.recipe.to_json().as_bytes(), &now).unwrap();
-        assert!(link.starts_with("cactus?v=1&s=3&d=2"), "{link}");
-        assert_eq!(scene(&link).recipe, changed.recipe);
+        let link = "cactus?v=1&s=3&d=2&df=7";
+        let file = scene(link).recipe.to_json();
+        assert_eq!(link_of_file(file.as_bytes(), &now).as_deref(), Ok(link));
+        let file = file.replace("60000", "61000");
+        assert!(link_of_file(file.as_bytes(), &now).unwrap_err().contains("no link can say"));
     }
 }

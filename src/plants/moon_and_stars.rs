@@ -16,7 +16,7 @@ pub const PLANT: Plant = Plant {
         // At any time, so that spots are of all sizes and not of powers of two. Of equals, one spot in n has
         // n cells or more; yellow is a little faster, for moons among fewer stars.
         clock: Clock::Exponential,
-        division_days: [3.0, 3.5, 3.5],
+        division_days: [3.0, 3.4, 3.4],
         mutation: [[1.0, 0.0, 0.0], [0.012, 0.988, 0.0], [0.0, 0.0, 1.0]],
         adhesion: [[0.8, 0.0, 0.0], [0.0, 0.9, 0.0], [0.0, 0.0, 0.0]],
         radius_scale: 1.5,

@@ -15,7 +15,7 @@ pub const PLANT: Plant = Plant {
         initial_cells: 400,
         initial_probability: [0.14, 0.8, 0.06],
         clock: Clock::Exponential,
-        division_days: [3.5, 3.5, 3.5],
+        division_days: [3.4, 3.4, 3.4],
         // Green cells lose their green, now and then: late ones make flecks.
         mutation: [[1.0, 0.0, 0.0], [0.01, 0.985, 0.005], [0.0, 0.0, 1.0]],
         adhesion: [[0.6, 0.0, 0.2], [0.0, 0.7, 0.2], [0.2, 0.2, 0.6]],

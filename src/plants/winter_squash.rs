@@ -38,7 +38,7 @@ pub const PLANT: Plant = Plant {
         veins: false,
         bare: &[("stalk", [0.6, 0.53, 0.38], 0.0)],
     },
-    view: View { azimuth_deg: 0.0, elevation_deg: 28.0, zoom: 1.05 },
+    view: View { azimuth_deg: 0.0, elevation_deg: 28.0, zoom: 0.95 },
     body: Shape {
         mesh: mesh_file!("winter_squash.obj"),
         levels: 2,

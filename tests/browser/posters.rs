@@ -1,4 +1,4 @@
-//! `./playground posters`: the stills of all plants and figures, drawn by the page itself. They are
+//! `./playground posters`: the stills of all plants and figures, or of those that are named, drawn by the page itself. They are
 //! left as PNG files in `target/posters`; the script makes AVIF of them.
 
 use crate::engines::Graphics;
@@ -33,7 +33,9 @@ fn posters() {
     page.devtools("Emulation.setDefaultBackgroundColorOverride", clear);
     let large = json!({ "width": 1280, "height": 800, "deviceScaleFactor": 1, "mobile": false });
     page.devtools("Emulation.setDeviceMetricsOverride", large);
-    for plant in plants::all() {
+    let only = std::env::var("POSTERS").unwrap_or_default();
+    let is_wanted = |name: &str| only.is_empty() || only.split_whitespace().any(|one| one == name);
+    for plant in plants::all().iter().filter(|plant| is_wanted(plant.key)) {
         page.visit(&preset_link(plant));
         page.run(&format!(
             "const style = document.createElement('style');
@@ -57,7 +59,7 @@ fn posters() {
         let small = still.with_shadows(|_, _| 0.0).smaller(STAGE_PX / CHOOSER_PX);
         small.save(&format!("{}-small", plant.key));
     }
-    for figure in FIGURES {
+    for figure in FIGURES.iter().filter(|figure| is_wanted(figure.number)) {
         page.visit(&format!("#figures/{}", figure.number));
         page.ready();
         for k in 0..figure.pictures.len() {

@@ -22,7 +22,7 @@ const OVAL: Outline = [
 /// Where side veins leave the midrib.
 const SIDE_VEINS: [f32; 8] = [0.07, 0.19, 0.31, 0.43, 0.55, 0.67, 0.79, 0.91];
 /// Across, where veins of the third order go from one side vein to the next.
-const BRIDGES: [f32; 4] = [0.2, 0.4, 0.59, 0.77];
+const BRIDGES: [f32; 2] = [0.33, 0.66];
 
 /// In turns around the middle, from the right to the viewer; how far out and how high the blade begins; how
 /// high it points, and its length.
