@@ -3,10 +3,11 @@
 use super::dom::window;
 use wasm_bindgen::JsValue;
 
-/// The address without its fragment.
-pub fn base() -> String {
+/// The whole address with another fragment. Links within the page have such ones: one that begins with `#` is
+/// taken for a way to an element by programs that check pages.
+pub fn with_fragment(fragment: &str) -> String {
     let href = window().location().href().unwrap_or_default();
-    href.split('#').next().unwrap_or_default().to_string()
+    format!("{}#{fragment}", href.split('#').next().unwrap_or_default())
 }
 
 /// The fragment with its `#`; empty without one.

@@ -3,7 +3,7 @@
 
 mod frame;
 
-use super::address::{base, fragment, push_link, write_link};
+use super::address::{fragment, push_link, with_fragment, write_link};
 use super::card::Card;
 use super::chooser::Chooser;
 use super::controls::Controls;
@@ -235,10 +235,10 @@ pub fn reset_parameter(parameter: &'static Parameter) {
 /// The address of what is shown, also while it plays.
 pub fn address() -> String {
     if let Some(number) = asked_figure(&fragment()) {
-        return format!("{}#figures/{number}", base());
+        return with_fragment(&format!("figures/{number}"));
     }
     let link = APP.with_borrow(|app| app.as_ref().map(|app| app.page.link()));
-    format!("{}#{}", base(), link.unwrap_or_default())
+    with_fragment(&link.unwrap_or_default())
 }
 
 /// The individual that is wished now.

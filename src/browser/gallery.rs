@@ -2,6 +2,7 @@
 //! drawn on the page's one stage, picture by picture, and copied from there; the other rows keep
 //! their last pictures.
 
+use super::address::with_fragment;
 use super::app;
 use super::dom::{
     Listener, copy_of_template, document, find, mark_when_missing, on, set_attribute, set_flag,
@@ -81,7 +82,7 @@ impl Gallery {
         let list: HtmlElement = find("figure-list");
         list.set_text_content(None);
         let rows: Vec<RowView> = FIGURES.iter().map(|figure| RowView::new(&list, figure)).collect();
-        set_attribute(&find::<Element>("from-figures"), "href", format!("#{back}"));
+        set_attribute(&find::<Element>("from-figures"), "href", with_fragment(back));
         set_flag(&root, "hidden", false);
         show_view(true);
         // One core is for the page.
@@ -183,7 +184,7 @@ impl Gallery {
         view.tell(row);
         let until_ms = now_ms() + DRAW_MS;
         for (k, picture) in view.pictures.iter_mut().enumerate() {
-            set_attribute(&picture.element, "href", format!("#{}", row.link(k)));
+            set_attribute(&picture.element, "href", with_fragment(&row.link(k)));
             let Some(shown) = row.shown(k) else { continue };
             if picture.drawn == Some((shown.generation, shown.day)) {
                 continue;
@@ -233,7 +234,7 @@ impl RowView {
         set_attribute(&element, "id", format!("figure-{}", figure.number));
         let number: Element = within(&element, ".number");
         set_text(&number, figure.number);
-        set_attribute(&number, "href", format!("#figures/{}", figure.number));
+        set_attribute(&number, "href", with_fragment(&format!("figures/{}", figure.number)));
         set_text(&within(&element, ".title"), figure.title);
         set_text(&within(&element, ".figure-caption"), figure.caption);
         let scene = |k: usize| link::read(figure.pictures[k].link, plants::all()).scene;
@@ -246,7 +247,7 @@ impl RowView {
         let mut listeners = Vec::new();
         let pictures = figure.pictures.iter().enumerate().map(|(k, picture)| {
             let tile = copy_of_template("picture-template");
-            set_attribute(&tile, "href", format!("#{}", picture.link));
+            set_attribute(&tile, "href", with_fragment(picture.link));
             let label: Element = within(&tile, ".label");
             set_text(&label, picture.label);
             let still: Element = within(&tile, "img");
