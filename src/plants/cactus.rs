@@ -1,9 +1,12 @@
 //! Cactus: yellow blotches on blue-green columns (Thesis, Fig. 4.8).
 
 use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
-use crate::tissue::Recipe;
+use crate::tissue::{Recipe, Rules};
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
+    rules: Rules::First,
+    earlier: None,
     key: "cactus",
     name: "Cactus",
     latin: "Cereus hildmannianus",
@@ -62,4 +65,30 @@ pub const PLANT: Plant = Plant {
     paint: &[],
     guides: None,
     motion: Motion::STILL,
+};
+
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    earlier: Some(&FIRST),
+    source: "after Thesis, Fig. 4.8",
+    recipe: Recipe {
+        // With a few green children of yellow cells and half the reach, patches are freckled and their
+        // borders rough, as in living variegated plants. More clones that divide faster keep two fifths
+        // yellow.
+        initial_cells: 10_000,
+        initial_probability: [0.004, 0.996, 0.0],
+        division_days: [2.5, 60.0, 60.0],
+        mutation: [[0.97, 0.03, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        radius_scale: 2.0,
+        ..FIRST.recipe
+    },
+    look: LOOK,
+    ..FIRST
+};
+
+/// Under a waxy bloom the green is pale and grey, and less glossy.
+pub(super) const LOOK: Look = Look {
+    cells: [[0.925, 0.824, 0.341], [0.36, 0.52, 0.44], [0.5, 0.5, 0.2]],
+    gloss: 0.15,
+    ..FIRST.look
 };

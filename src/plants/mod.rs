@@ -16,6 +16,7 @@ mod banded_cactus;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod bodies;
 mod cactus;
+mod chance;
 mod croton;
 mod croton_shrub;
 mod diagram;
@@ -37,7 +38,8 @@ mod square_watermelon;
 mod watermelon;
 
 use crate::surface::{DirectionField, Mesh, ObjError, SurfaceError};
-use crate::tissue::{Control, Growth, Recipe, RecipeError};
+use crate::tissue::{Control, Growth, Recipe, RecipeError, Rules};
+use chance::Chance;
 pub use diagram::{Diagram, Layer};
 pub use document::PlantError;
 use document::{List, Text, kept, kept_list, kept_text, kept_texts};
@@ -52,6 +54,10 @@ use std::sync::Arc;
 /// A plant of the playground: nothing but data, which `document` writes and reads as JSON.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plant {
+    /// The rules that it lives by.
+    pub rules: Rules,
+    /// What links of earlier rules mean by its key.
+    pub earlier: Option<&'static Plant>,
     /// Its word in links: `croton`.
     pub key: Text,
     /// English name: `Croton`.
@@ -90,6 +96,12 @@ impl Motion {
 }
 
 impl Plant {
+    /// The plant as it is under a version of the rules, if it was there then.
+    pub fn under(&'static self, version: u32) -> Option<&'static Plant> {
+        let of_all_rules = std::iter::successors(Some(self), |plant| plant.earlier);
+        of_all_rules.into_iter().find(|plant| plant.rules as u32 == version)
+    }
+
     /// Sows an individual on the plant's surface, under its control images and along its direction
     /// field, each part on its day; the recipe may be another than the plant's own.
     pub fn sow(
@@ -99,7 +111,8 @@ impl Plant {
         individual: u32,
     ) -> Result<Growth, RecipeError> {
         let field = self.field(&surface).map_err(RecipeError)?;
-        let growth = Growth::new(surface, recipe, &self.controls(), individual)?
+        let growth = Growth::new(surface, recipe, &self.controls(individual), individual)?
+            .under(self.rules)
             .unfolding(self.motion.unfolding_days);
         Ok(match field {
             Some(field) => growth.along(field),
@@ -112,9 +125,14 @@ impl Plant {
         self.look.bare.iter().any(|(name, ..)| *name == material)
     }
 
-    /// Its control images, painted anew, in the order in which they are asked.
-    pub fn controls(&self) -> Vec<Control> {
-        self.paint.iter().map(Paint::control).collect()
+    /// The control images of an individual, painted anew, in the order in which they are asked. Under the
+    /// first rules all individuals have the same.
+    pub fn controls(&self, individual: u32) -> Vec<Control> {
+        let chance = match self.rules {
+            Rules::First => Chance::PLANT,
+            Rules::Second => Chance::of(individual),
+        };
+        self.paint.iter().map(|paint| paint.control(chance)).collect()
     }
 
     /// Its direction field on a surface, if it has one, or in words why its guides lead none there.
@@ -185,25 +203,6 @@ pub fn all() -> &'static [Plant] {
 /// The plant of a key, as it stands in links.
 pub fn find(key: &str) -> Option<&'static Plant> {
     all().iter().find(|plant| plant.key == key)
-}
-
-/// A number from 0 to 1 that is always the same for the same place: irregularity that belongs to
-/// the plant and not to the individual. (The finaliser of MurmurHash3, Appleby 2011.)
-fn scatter(item: u32, purpose: u32) -> f32 {
-    let mut bits = item.wrapping_mul(0x9e37_79b9) ^ purpose.wrapping_mul(0x85eb_ca6b);
-    bits = (bits ^ (bits >> 16)).wrapping_mul(0x85eb_ca6b);
-    bits = (bits ^ (bits >> 13)).wrapping_mul(0xc2b2_ae35);
-    bits ^= bits >> 16;
-    // 24 bits are what an f32 between 0 and 1 holds.
-    (bits >> 8) as f32 / (1 << 24) as f32
-}
-
-/// Noise from -1 to 1 along a line: straight from one random value at a whole number to the next.
-fn rough(at: f32, item: u32, purpose: u32) -> f32 {
-    let whole = libm::floorf(at);
-    let value = |k: f32| 2.0 * scatter(item + 64 * k as u32, purpose) - 1.0;
-    let t = at - whole;
-    value(whole) * (1.0 - t) + value(whole + 1.0) * t
 }
 
 #[cfg(test)]
@@ -327,7 +326,7 @@ mod tests {
     #[test]
     fn a_snake_plant_has_clean_margins_and_bands_within() {
         let mesh = surface("sansevieria");
-        let controls = find("sansevieria").unwrap().controls();
+        let controls = find("sansevieria").unwrap().controls(1);
         let mut shares = [0.0; 3];
         for triangle in 0..mesh.triangles.len() as u32 {
             let kind = first_type(&mesh, &controls, triangle);
@@ -369,7 +368,7 @@ mod tests {
             ("amanita", 0.7),
         ] {
             let mesh = surface(key);
-            let controls = find(key).unwrap().controls();
+            let controls = find(key).unwrap().controls(1);
             for control in &controls {
                 let Wrap::Cylinder(Cylinder { axis, zero, .. }) = control.wrap else { continue };
                 assert!((axis.length() - 1.0).abs() < 1e-6);

@@ -2,6 +2,7 @@
 
 use super::clone::Paint;
 use crate::plants::{Look, Show};
+use crate::tissue::Rules;
 
 /// The parts of a picture, in the order in which they are handed over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +22,8 @@ pub enum Part {
 pub struct Wanted<'a> {
     /// Its key.
     pub plant: &'static str,
+    /// Whose control images are shown.
+    pub individual: (Rules, u32),
     pub look: &'a Look,
     pub show: Show,
     /// Generation and day. None: the cells that are there stay.
@@ -34,6 +37,7 @@ pub struct Wanted<'a> {
 pub struct Handed {
     plant: Option<&'static str>,
     look: Option<Look>,
+    individual: Option<(Rules, u32)>,
     show: Show,
     cells: Option<(u32, u32)>,
     paint: Paint,
@@ -48,7 +52,9 @@ impl Handed {
             Some(Part::Body)
         } else if self.look.as_ref() != Some(wanted.look) {
             Some(Part::Look)
-        } else if self.show != wanted.show {
+        } else if self.show != wanted.show
+            || self.show == Show::ControlImages && self.individual != Some(wanted.individual)
+        {
             Some(Part::Show)
         } else if wanted.cells.is_some() && (self.cells, self.paint) != (wanted.cells, wanted.paint)
         {
@@ -63,7 +69,7 @@ impl Handed {
         match part {
             Part::Body => *self = Handed { plant: Some(wanted.plant), ..Handed::default() },
             Part::Look => self.look = Some(wanted.look.clone()),
-            Part::Show => self.show = wanted.show,
+            Part::Show => (self.show, self.individual) = (wanted.show, Some(wanted.individual)),
             Part::Cells => {
                 (self.cells, self.paint, self.refused) = (wanted.cells, wanted.paint, None);
             }
@@ -111,6 +117,7 @@ mod tests {
         let (look, mut handed) = (look(), Handed::default());
         let croton = Wanted {
             plant: "croton",
+            individual: (Rules::First, 1),
             look: &look,
             show: Show::Cells,
             cells: Some((1, 12)),
@@ -131,6 +138,10 @@ mod tests {
         let controls = Wanted { show: Show::ControlImages, cells: None, ..next_day };
         assert_eq!(hand(&mut handed, &controls), [Part::Show]);
         assert!(handed.has_cells(), "they wait under the diagram");
+        for individual in [(Rules::First, 2), (Rules::Second, 2)] {
+            let of_another = Wanted { individual, ..controls };
+            assert_eq!(hand(&mut handed, &of_another), [Part::Show], "with images of its own");
+        }
 
         let cactus = Wanted { plant: "cactus", ..controls };
         assert_eq!(hand(&mut handed, &cactus), [Part::Body, Part::Look, Part::Show]);
@@ -142,6 +153,7 @@ mod tests {
         let (look, mut handed) = (look(), Handed::default());
         let day = |day| Wanted {
             plant: "croton",
+            individual: (Rules::First, 1),
             look: &look,
             show: Show::Cells,
             cells: Some((1, day)),

@@ -3,7 +3,7 @@
 use crate::plants::{
     Growths, GuideVector, Guides, Look, MeshFile, Motion, Plant, Shape, Skin, View,
 };
-use crate::tissue::Recipe;
+use crate::tissue::{Recipe, Rules};
 use glam::Vec3;
 
 /// Two plants of one square sheet each; the first has M cells and a direction field.
@@ -18,6 +18,8 @@ const fn plant(
     guides: Option<Guides>,
 ) -> Plant {
     Plant {
+        rules: Rules::First,
+        earlier: None,
         key,
         name,
         latin: "Folium quadratum",

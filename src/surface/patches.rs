@@ -3,6 +3,7 @@
 
 use super::chart::Image;
 use super::layout::{Fit, Layout};
+use super::mirrors::add_mirrored;
 use super::outline::Outline;
 use super::{Mesh, NO_TWIN};
 use std::ops::Range;
@@ -10,10 +11,19 @@ use std::ops::Range;
 /// Patches are not cut to less than this share of the reach in width for the sake of flatness.
 const SMALLEST_WIDTH: f32 = 0.5;
 
+/// What is around a patch at an open rim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rims {
+    /// Nothing behind it.
+    End,
+    /// Behind it, what lies before it in its mirror image.
+    Mirror,
+}
+
 /// Some connected triangles, laid down in one plane.
 #[derive(Clone, Copy, Debug)]
 pub struct Patch<'a> {
-    /// Its triangles in their order, and then those around it.
+    /// Its triangles in their order, and then those around it, mirrored ones last.
     pub images: &'a [Image],
     /// How many are its own.
     pub own: usize,
@@ -33,7 +43,7 @@ pub fn cut_into_patches(
     mesh: &Mesh,
     area: f32,
     reach: f32,
-    torn_width: f32,
+    (torn_width, rims): (f32, Rims),
     take: impl FnMut(Patch) -> bool,
 ) -> bool {
     let count = mesh.triangles.len();
@@ -43,6 +53,8 @@ pub fn cut_into_patches(
         area,
         narrow_area: square(SMALLEST_WIDTH * reach),
         torn_area: square(torn_width * reach),
+        reach,
+        rims,
         layout: Layout::new(mesh, reach, torn_width > 0.0),
         piece_of: vec![0; count],
         pieces: 0,
@@ -94,6 +106,8 @@ struct Cutter<'a, Take> {
     /// Pieces of no more than these are patches though they are bent, or torn.
     narrow_area: f32,
     torn_area: f32,
+    reach: f32,
+    rims: Rims,
     layout: Layout<'a>,
     /// For each triangle the number of the last piece that it was looked for in, as long as it has
     /// not been found.
@@ -148,6 +162,10 @@ impl<Take: FnMut(Patch) -> bool> Cutter<'_, Take> {
 
     /// Hands over what was laid down last.
     fn hand_over(&mut self, own: usize) -> Option<()> {
+        if self.rims == Rims::Mirror {
+            let Layout { images, outline, .. } = &mut self.layout;
+            add_mirrored(self.mesh, images, outline, self.reach);
+        }
         let Layout { images, outline, .. } = &self.layout;
         (self.take)(Patch { images, own, outline }).then_some(())
     }
@@ -241,7 +259,7 @@ mod tests {
             all.push(Kept { images: patch.images.to_vec(), own: patch.own });
             true
         };
-        assert!(cut_into_patches(mesh, area, reach, torn_width, keep));
+        assert!(cut_into_patches(mesh, area, reach, (torn_width, Rims::End), keep));
         all
     }
 
@@ -330,7 +348,7 @@ mod tests {
     fn it_ends_when_no_more_patches_are_wanted() {
         let mesh = cap(12, 1.0);
         let mut taken = 0;
-        let all = cut_into_patches(&mesh, 2.0, 0.5, 0.0, |_| {
+        let all = cut_into_patches(&mesh, 2.0, 0.5, (0.0, Rims::End), |_| {
             taken += 1;
             taken < 3
         });

@@ -26,17 +26,27 @@ pub struct Step {
 /// Walks from a place along `step`, a vector in the frame of the place's triangle (centimetres).
 #[inline]
 pub fn walk(mesh: &Mesh, from: Place, step: Vec2) -> Step {
-    let change = mesh.frames[from.triangle as usize].barycentric(step);
-    let (b1, b2) = (from.b1 + change.x, from.b2 + change.y);
-    if b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0 {
-        // Most steps stay in their triangle.
-        let b2 = b2.min(1.0 - b1);
-        return Step { place: Place { triangle: from.triangle, b1, b2 }, caught: false };
-    }
-    walk_out(mesh, from, step)
+    walk_within(mesh, from, step).unwrap_or_else(|| walk_out(mesh, from, step, false))
 }
 
-fn walk_out(mesh: &Mesh, from: Place, step: Vec2) -> Step {
+/// The end of a step that stays in its triangle, as most do.
+#[inline]
+fn walk_within(mesh: &Mesh, from: Place, step: Vec2) -> Option<Step> {
+    let change = mesh.frames[from.triangle as usize].barycentric(step);
+    let (b1, b2) = (from.b1 + change.x, from.b2 + change.y);
+    let stays = b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0;
+    let place = Place { triangle: from.triangle, b1, b2: b2.min(1.0 - b1) };
+    stays.then_some(Step { place, caught: false })
+}
+
+/// Walks as if the surface went on behind its rim and were its own mirror image there: from the rim the walk
+/// comes back.
+#[inline]
+pub fn walk_between_mirrors(mesh: &Mesh, from: Place, step: Vec2) -> Step {
+    walk_within(mesh, from, step).unwrap_or_else(|| walk_out(mesh, from, step, true))
+}
+
+fn walk_out(mesh: &Mesh, from: Place, step: Vec2, is_mirrored: bool) -> Step {
     let mut triangle = from.triangle as usize;
     let mut b = [1.0 - from.b1 - from.b2, from.b1, from.b2];
     let mut rest = step;
@@ -70,7 +80,8 @@ fn walk_out(mesh: &Mesh, from: Place, step: Vec2) -> Step {
             }
             let corners = mesh.frames[triangle].corners();
             let edge = normalized(corners[last] - corners[next]);
-            rest = edge * rest.dot(edge);
+            let slide = edge * rest.dot(edge);
+            rest = if is_mirrored { slide + slide - rest } else { slide };
             entered = exit;
             on_rim = true;
             continue;

@@ -21,7 +21,7 @@ pub struct Lineage {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Day {
     pub places: Vec<Place>,
-    /// Repulsive radius at the end of the day, in centimetres.
+    /// Repulsive radius of all cells on the whole body at the end of the day, in centimetres.
     pub repulsive_radius: f32,
 }
 

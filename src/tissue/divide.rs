@@ -3,8 +3,8 @@
 
 use super::chance::{Poisson, Purpose, draw, exponential, founder_key, pick, uniform};
 use super::ground::Ground;
-use super::{CellType, Clock, Control, Lineage, Recipe, Scaled};
-use crate::surface::{Mesh, Place, walk};
+use super::{CellType, Clock, Control, Lineage, Recipe, Rules, Scaled};
+use crate::surface::{Mesh, Place};
 use glam::Vec2;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -16,6 +16,7 @@ const CHILD_DISC: f64 = 0.01;
 pub struct Setting<'a> {
     pub mesh: &'a Mesh,
     pub recipe: &'a Recipe,
+    pub rules: Rules,
     pub controls: &'a [Control],
 }
 
@@ -118,8 +119,8 @@ impl Clocks {
             let row = &setting.recipe.mutation[mother.kind as usize];
             let kind = CellType::from_index(pick(row, uniform(key, turn, Purpose::Type)) as u8);
             lineage.push(Lineage { parent, founder: mother.founder, born_day: day as u32, kind });
-            let radius = ground.at(place.triangle).radius;
-            let beside = beside(setting.mesh, place, radius, key, turn);
+            let radius = ground.at(setting.mesh, place.triangle).radius;
+            let beside = setting.beside(place, radius, key, turn);
             places.push(beside);
             self.keys.push(draw(key, turn, Purpose::Child));
             self.turns.push(0);
@@ -138,16 +139,16 @@ impl Setting<'_> {
             self.controls.iter().map(|c| c.factor(self.mesh, place, Scaled::DivisionDays(kind)));
         self.recipe.division_days[kind as usize] * factors.product::<f64>()
     }
-}
 
-/// A uniform place in the disc around a parent.
-fn beside(mesh: &Mesh, parent: Place, radius: f32, key: u64, turn: u32) -> Place {
-    let reach = 0.5 * CHILD_DISC * f64::from(radius);
-    let length = reach * uniform(key, turn, Purpose::ChildRadius).sqrt();
-    let angle_rad = std::f64::consts::TAU * uniform(key, turn, Purpose::ChildAngle);
-    let offset =
-        Vec2::new((length * libm::cos(angle_rad)) as f32, (length * libm::sin(angle_rad)) as f32);
-    walk(mesh, parent, offset).place
+    /// A uniform place in the disc around a parent.
+    fn beside(&self, parent: Place, radius: f32, key: u64, turn: u32) -> Place {
+        let reach = 0.5 * CHILD_DISC * f64::from(radius);
+        let length = reach * uniform(key, turn, Purpose::ChildRadius).sqrt();
+        let angle_rad = std::f64::consts::TAU * uniform(key, turn, Purpose::ChildAngle);
+        let (cos, sin) = (libm::cos(angle_rad), libm::sin(angle_rad));
+        let offset = Vec2::new((length * cos) as f32, (length * sin) as f32);
+        self.rules.walk(self.mesh, parent, offset).place
+    }
 }
 
 #[cfg(test)]
@@ -161,7 +162,8 @@ mod tests {
         let mesh = Mesh::new(triangle, Vec::new(), vec![[0, 1, 2]]).unwrap();
         for clock in [Clock::Poisson, Clock::Exponential] {
             let recipe = Recipe { clock, division_days: [3.0; 3], days: 9, ..Recipe::DEFAULT };
-            let setting = Setting { mesh: &mesh, recipe: &recipe, controls: &[] };
+            let rules = Rules::First;
+            let setting = Setting { mesh: &mesh, recipe: &recipe, rules, controls: &[] };
             let founder = |k| {
                 let kind = CellType::Foreground;
                 Lineage { parent: k, founder: k, born_day: 0, kind }

@@ -1,19 +1,21 @@
 //! One relaxation event: patch by patch the cells are pushed and walk, on one thread or on several.
 
+use super::Rules;
 use super::course::Course;
 use super::forces::{ForceLanes, Push};
 use super::ground::Ground;
 use super::lanes::{LANES, lanes_mut};
 use super::near::Near;
-use super::plan::{Neighbourhood, Plan};
+use super::plan::{Neighbourhood, Plan, look_cm};
 use super::relax::{Row, four, put_four, rows_of};
-use crate::surface::{Mesh, Place, length, walk};
+use crate::surface::{Mesh, Place, length};
 use glam::Vec2;
 use std::ops::Range;
 use wide::f32x4;
 
 /// All that decides where cells go.
 pub(super) struct Event<'a> {
+    pub(super) rules: Rules,
     pub(super) mesh: &'a Mesh,
     pub(super) ground: &'a Ground,
     pub(super) course: Option<&'a Course>,
@@ -26,8 +28,8 @@ pub(super) struct Event<'a> {
     pub(super) full_bins: Vec<u32>,
     /// How many of the types there are, from the first on.
     pub(super) types: usize,
+    pub(super) cells: usize,
     pub(super) spacing_cm: f32,
-    pub(super) look_cm: f32,
 }
 
 impl Event<'_> {
@@ -115,7 +117,7 @@ impl Hands {
         self.hands.len().min(cells / CELLS_PER_HAND).max(1)
     }
 
-    /// Room for all cells of a day.
+    /// Room for all that a patch may see.
     pub(super) fn reserve(&mut self, cells: usize) {
         for hand in &mut self.hands {
             hand.near.reserve(cells);
@@ -206,7 +208,7 @@ impl Hand {
         let alike = if let Ground::Even(_) = event.ground { patch.own.len() } else { 1 };
         let mut weighed = None;
         for first in patch.own.clone().step_by(alike) {
-            let forces = event.ground.at(event.plan.order[first]);
+            let forces = event.ground.at(event.mesh, event.plan.order[first]);
             if weighed != Some(forces.weights) {
                 self.near.weigh(&forces.weights[..event.types]);
                 weighed = Some(forces.weights);
@@ -224,8 +226,10 @@ impl Hand {
 
     /// Lays the cells in and around a patch down in its plane, its own first.
     fn unfold(&mut self, event: &Event, patch: &Neighbourhood) {
-        let Event { plan, rows, .. } = event;
-        self.near.begin(patch.low, patch.high, event.look_cm, event.spacing_cm);
+        let Event { mesh, plan, rows, .. } = event;
+        let reach_cm = event.ground.reach_around_cm(mesh, plan.order[patch.own.start]);
+        let look_cm = look_cm(mesh, event.cells, reach_cm);
+        self.near.begin(patch.low, patch.high, look_cm, event.spacing_cm);
         for slot in patch.own.clone() {
             let bins = plan.bins.of(slot);
             let first_bin = bins.start;
@@ -256,9 +260,8 @@ impl Hand {
             let to = row - output.first_row;
             let slots = self.near.slots(k);
             let (x, y) = Push::totals(self.pushes[k..k + LANES].try_into().expect("four"));
-            let (repulsion, radius) = event
-                .ground
-                .repulsions_and_radii_cm(|| slots.map(|slot| plan.order[slot as usize]));
+            let triangles = slots.map(|slot| plan.order[slot as usize]);
+            let (repulsion, radius) = event.ground.repulsions_and_radii_cm(mesh, triangles);
             let longest = f32x4::HALF * radius;
             let (x, y) = (x * repulsion, y * repulsion);
             let squared = x * x + y * y;
@@ -289,14 +292,15 @@ impl Hand {
             let (x, y) = (x.to_array(), y.to_array());
             let count = (rows.end - row).min(LANES);
             for lane in (0..count).filter(|lane| inside & 1 << lane == 0) {
-                let triangle = plan.order[slots[lane] as usize];
+                let triangle = triangles[lane];
                 let frame = &mesh.frames[triangle as usize];
                 let mut step = frame.point(change_1[lane], change_2[lane]);
                 if plan.is_wide {
                     step = as_long_as(step, Vec2::new(x[lane], y[lane]));
                 }
                 let step = event.course.map_or(step, |course| course.turn(triangle as usize, step));
-                let end = walk(mesh, event.rows[row + lane].place(triangle), step);
+                let from = event.rows[row + lane].place(triangle);
+                let end = event.rules.walk(mesh, from, step);
                 self.caught_walks += u64::from(end.caught);
                 output.put(to + lane, end.place, plan);
             }

@@ -1,6 +1,7 @@
 //! The forces between cells, four neighbours at a time (Thesis 3.2.1.1).
 
 use super::Recipe;
+use super::ground::Share;
 use super::lanes::{LANES, WIDTH, Wide, WideInt, wide};
 use super::near::Near;
 use glam::Vec2;
@@ -18,9 +19,9 @@ pub struct Forces {
 }
 
 impl Forces {
-    /// Those of a recipe for so many cells on so much area. Before day 0 adhesion plays no part: every
+    /// Those of a recipe for the cells that share a radius. Before day 0 adhesion plays no part: every
     /// pair repels as two F cells do (the original program).
-    pub fn new(recipe: &Recipe, area_cm2: f32, cells: usize, day: usize) -> Forces {
+    pub fn new(recipe: &Recipe, (area_cm2, cells): Share, day: usize) -> Forces {
         let adhesion = &recipe.adhesion;
         let weights = match day {
             0 => [[1.0 - adhesion[0][0]; 3]; 3],

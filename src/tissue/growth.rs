@@ -5,7 +5,7 @@ use super::course::Course;
 use super::divide::{Clocks, Setting};
 use super::ground::Ground;
 use super::relax::Crowd;
-use super::{CellType, Control, Day, Diary, Lineage, Recipe, RecipeError, control};
+use super::{CellType, Control, Day, Diary, Lineage, Recipe, RecipeError, Rules, control};
 use crate::surface::{DirectionField, Mesh, Place};
 use std::sync::Arc;
 
@@ -15,6 +15,7 @@ pub struct Growth {
     pub diary: Diary,
     mesh: Arc<Mesh>,
     recipe: Recipe,
+    rules: Rules,
     controls: Vec<Control>,
     course: Option<Course>,
     /// The day on which each part of the body unfolds; 0 where none is said.
@@ -55,14 +56,16 @@ impl Growth {
         recipe.check()?;
         control::check(&recipe, controls)?;
         let (lineage, places) = sow(&mesh, &recipe, controls, seed);
-        let setting = Setting { mesh: &mesh, recipe: &recipe, controls };
+        let rules = Rules::First;
+        let setting = Setting { mesh: &mesh, recipe: &recipe, rules, controls };
         let clocks = Clocks::new(&setting, seed, &lineage, &places);
         Ok(Growth {
             diary: Diary { lineage, days: Vec::new() },
             crowd: Crowd::default(),
-            ground: Ground::new(&mesh, &recipe, controls, places.len(), 0),
+            ground: Ground::new(&mesh, &recipe, controls, &[(mesh.area, places.len())], 0),
             mesh,
             recipe,
+            rules,
             controls: controls.to_vec(),
             course: None,
             unfolding_days: Vec::new(),
@@ -71,6 +74,14 @@ impl Growth {
             events: 0,
             full: false,
         })
+    }
+
+    /// The rules that cells live by; without this, the first ones.
+    pub fn under(mut self, rules: Rules) -> Growth {
+        self.rules = rules;
+        self.crowd.set_rules(rules);
+        self.ground = self.ground_of(&self.places, 0);
+        self
     }
 
     /// From day 1 on, steps are turned along a direction field of the same mesh as far as the
@@ -85,8 +96,8 @@ impl Growth {
     /// The parts of the body, in their order, unfold on these days, and those that are not named on
     /// day 0: leaves of one plant that are of different ages (Thesis, Fig. 4.10). Until then the
     /// first cells of a part stand still and their clocks do not run; from then on it lives as if it
-    /// were day 0, so that its age is the plant's less that day. (The repulsive radius is that of the
-    /// whole body, as always.)
+    /// were day 0, so that its age is the plant's less that day. (Under the first rules the repulsive radius
+    /// is that of the whole body, so that cells of a young part feel each other less.)
     pub fn unfolding(mut self, days: &[u32]) -> Growth {
         self.unfolding_days = days.to_vec();
         let first_days: Vec<u32> = self.places.iter().map(|p| self.unfolding_day(p)).collect();
@@ -152,7 +163,8 @@ impl Growth {
     fn divide(&mut self, day: usize) -> bool {
         let cells = self.places.len();
         let lineage = &mut self.diary.lineage;
-        let setting = Setting { mesh: &self.mesh, recipe: &self.recipe, controls: &self.controls };
+        let (mesh, recipe, controls) = (&self.mesh, &self.recipe, &self.controls);
+        let setting = Setting { mesh, recipe, rules: self.rules, controls };
         let within_cap = self.clocks.divide(&setting, day, &self.ground, lineage, &mut self.places);
         if !within_cap {
             self.places.truncate(cells);
@@ -169,6 +181,25 @@ impl Growth {
         self.crowd.gather(&self.mesh, &self.places, kind, self.ground.reach_cm());
     }
 
+    /// The forces of a day with these cells.
+    fn ground_of(&self, places: &[Place], day: usize) -> Ground {
+        let mesh = &self.mesh;
+        let mut shares = vec![(mesh.area, places.len())];
+        if self.rules >= Rules::Second {
+            // A part without cells needs a radius, too, whichever.
+            let mut parts = vec![(0.0, 0); mesh.part_count()];
+            for (part, area_cm2) in mesh.parts.iter().zip(&mesh.areas) {
+                parts[*part as usize].0 += f64::from(*area_cm2);
+            }
+            for place in places {
+                parts[mesh.parts[place.triangle as usize] as usize].1 += 1;
+            }
+            let share = |(area_cm2, cells): (f64, usize)| (area_cm2 as f32, cells.max(1));
+            shares = parts.into_iter().map(share).collect();
+        }
+        Ground::new(mesh, &self.recipe, &self.controls, &shares, day)
+    }
+
     /// Writes the day down and renews the forces with the repulsive radius.
     fn end_day(&mut self) {
         let day = self.diary.days.len();
@@ -183,7 +214,7 @@ impl Growth {
             }
         }
         let cells = places.len();
-        self.ground = Ground::new(&self.mesh, &self.recipe, &self.controls, cells, day + 1);
+        self.ground = self.ground_of(&places, day + 1);
         let repulsive_radius = self.recipe.repulsive_radius_cm(self.mesh.area, cells);
         // Into the memory that is there.
         self.places.clone_from(&places);

@@ -19,6 +19,7 @@ mod pedigree;
 mod plan;
 mod recipe;
 mod relax;
+mod rules;
 #[cfg(not(target_arch = "wasm32"))]
 mod threads;
 
@@ -31,3 +32,4 @@ pub(crate) use lanes::{LANES, lanes, lanes_mut};
 pub use noise::Noise;
 pub use pedigree::Pedigree;
 pub use recipe::{CellType, Clock, Recipe, RecipeError, Scaled};
+pub use rules::Rules;

@@ -2,7 +2,7 @@
 //! days, until the repulsive radius has become much smaller.
 
 use super::bins::Bins;
-use crate::surface::{Image, Laid, Mesh, Outline, Patch, Place, cut_into_patches};
+use crate::surface::{Image, Laid, Mesh, Outline, Patch, Place, Rims, cut_into_patches};
 use glam::Vec2;
 use std::ops::Range;
 
@@ -99,13 +99,13 @@ pub(super) struct Run {
 
 impl Plan {
     /// Makes the plan anew if it does not serve any more.
-    pub(super) fn renew(&mut self, mesh: &Mesh, cells: usize, radius: f32) {
+    pub(super) fn renew(&mut self, mesh: &Mesh, cells: usize, radius: f32, has_mirrors: bool) {
         let serves = (SMALLEST_RADIUS * self.radius..=self.radius).contains(&radius)
             && cells as f32 * SMALLEST_RADIUS * SMALLEST_RADIUS <= self.cells as f32;
         if !serves {
             // Before the next one takes room, too.
             *self = Plan::default();
-            *self = Plan::new(mesh, cells, radius);
+            *self = Plan::new(mesh, cells, radius, has_mirrors);
         }
     }
 
@@ -135,13 +135,18 @@ impl Plan {
         slot * self.bins.in_triangle() as u32 + self.bins.within(place.b1, place.b2)
     }
 
-    fn new(mesh: &Mesh, cells: usize, radius: f32) -> Plan {
+    /// What is near an open rim has mirror images in it where `has_mirrors`, but not where the reach leads
+    /// around the body.
+    fn new(mesh: &Mesh, cells: usize, radius: f32, has_mirrors: bool) -> Plan {
         let spans_the_body = radius * radius > SPAN * mesh.area;
-        let fine = |()| Plan::of_patches(mesh, cells, radius, 0.0, MOST_IMAGES);
+        let mirrors = if has_mirrors { Rims::Mirror } else { Rims::End };
+        let fine = |()| Plan::of_patches(mesh, cells, radius, (0.0, mirrors), MOST_IMAGES);
         (!spans_the_body).then_some(()).and_then(fine).unwrap_or_else(|| {
             let smooth = mesh.smoothed(radius);
             let [widths @ .., widest] = TORN_WIDTHS;
-            let cut = |width, budget| Plan::of_patches(&smooth, cells, radius, width, budget);
+            let cut = |width, budget| {
+                Plan::of_patches(&smooth, cells, radius, (width, Rims::End), budget)
+            };
             let mut plans = widths.into_iter().filter_map(|width| cut(width, MOST_TORN_IMAGES));
             let boundless = Budget { images: f32::INFINITY, early_times: 1.0 };
             let plan = plans.next().or_else(|| cut(widest, boundless));
@@ -154,7 +159,7 @@ impl Plan {
         mesh: &Mesh,
         cells: usize,
         radius: f32,
-        torn_width: f32,
+        (torn_width, rims): (f32, Rims),
         budget: Budget,
     ) -> Option<Plan> {
         let area_per_cell = mesh.area / cells as f32;
@@ -172,7 +177,7 @@ impl Plan {
             cells,
         };
         let mut images = 0.0;
-        let is_whole = cut_into_patches(mesh, area, radius, torn_width, |patch| {
+        let is_whole = cut_into_patches(mesh, area, radius, (torn_width, rims), |patch| {
             plan.add(mesh, patch);
             images += patch.images.len() as f32;
             budget.lasts(images, plan.order.len() as f32 / count as f32)
@@ -290,7 +295,7 @@ mod tests {
         let positions = (0..(n + 1) * (n + 1)).map(at).collect();
         let mesh = Mesh::new(positions, Vec::new(), (0..n * n).flat_map(square).collect()).unwrap();
         // 192 cells of these have 20 square centimetres.
-        let plan = Plan::new(&mesh, 10_000, 2.0);
+        let plan = Plan::new(&mesh, 10_000, 2.0, false);
         let most = plan.patches.iter().map(|patch| patch.own.len()).max();
         assert!((17..=32).contains(&most.unwrap()), "{most:?} triangles, of (4 * 2 cm)^2 or half");
     }

@@ -1,10 +1,11 @@
 //! Relaxation: the cells push each other away, all together (Thesis 3.2.1.1).
 
+use super::Rules;
 use super::course::Course;
 use super::event::{Event, Hands};
 use super::ground::Ground;
 use super::lanes::{BinSort, LANES, copy, lanes, lanes_mut, one};
-use super::plan::{Plan, look_cm};
+use super::plan::Plan;
 use crate::surface::{Mesh, Place};
 use bytemuck::{Pod, Zeroable};
 use std::ops::Range;
@@ -15,6 +16,7 @@ use wide::f32x4;
 /// triangles that it is cut into.
 #[derive(Clone, Debug, Default)]
 pub struct Crowd {
+    rules: Rules,
     plan: Plan,
     cells: usize,
     /// How many of the types there are, from the first on.
@@ -62,6 +64,11 @@ impl Crowd {
         self.hands = Hands::new(threads);
     }
 
+    /// To be called before cells are gathered.
+    pub fn set_rules(&mut self, rules: Rules) {
+        self.rules = rules;
+    }
+
     /// Walks that ended among slivers instead of where they were going.
     pub fn caught_walks(&self) -> u64 {
         self.hands.caught_walks()
@@ -77,12 +84,14 @@ impl Crowd {
         reach_cm: f32,
     ) {
         self.cells = places.len();
-        self.plan.renew(mesh, self.cells, reach_cm);
+        let has_mirrors = self.rules >= Rules::Second;
+        self.plan.renew(mesh, self.cells, reach_cm, has_mirrors);
         let count = self.cells + LANES * self.hands.count();
         self.rows.resize(count, Row::default());
         self.moved.resize(count, Row::default());
         self.bins.resize(count, 0);
-        self.hands.reserve(self.cells);
+        // A patch may see each cell and its mirror image.
+        self.hands.reserve(if has_mirrors { 2 * self.cells } else { self.cells });
         self.types = (0..self.cells).map(&kind).max().map_or(1, |most| usize::from(most) + 1);
         let plan = &self.plan;
         let take_up = |number: usize, row: &mut Row, bin: &mut u32| {
@@ -141,6 +150,7 @@ impl Crowd {
     /// The same, on this thread and those that share its pool.
     fn relax_here(&mut self, mesh: &Mesh, ground: &Ground, course: Option<&Course>) {
         let event = Event {
+            rules: self.rules,
             mesh,
             ground,
             course,
@@ -149,8 +159,8 @@ impl Crowd {
             starts: &self.sorting.starts,
             full_bins: if self.plan.is_wide { self.full_bins() } else { Vec::new() },
             types: self.types,
+            cells: self.cells,
             spacing_cm: (mesh.area / self.cells as f32).sqrt(),
-            look_cm: look_cm(mesh, self.cells, ground.reach_cm()),
         };
         let written = self.hands.relax(&event, &mut self.moved, &mut self.bins);
         self.sort(&written);

@@ -57,7 +57,7 @@ fn plants_have_the_cells_expected_of_the_first_cells_that_were_drawn() {
     // Whose children are of other types than their parents is tested by itself.
     for plant in plants::all().iter().filter(|plant| plant.key != "red-croton") {
         let mesh = Arc::new(plant.embedded_body().surface);
-        let controls = plant.controls();
+        let controls = plant.controls(1);
         let recipe = Recipe {
             initial_relaxations: 0,
             relaxations_per_day: 0,
@@ -112,7 +112,7 @@ fn nothing_is_expected_where_nothing_exact_is_known() {
         Recipe { mutation: [[0.9, 0.1, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], ..recipe.clone() };
     assert_eq!(expected(&mutating, &[]), None);
     assert_eq!(expected(&Recipe { clock: Clock::Exponential, ..recipe.clone() }, &[]), None);
-    let [control] = &plants::find("croton").unwrap().controls()[..] else { panic!("one image") };
+    let [control] = &plants::find("croton").unwrap().controls(1)[..] else { panic!("one image") };
     assert!(
         expected(&recipe, std::slice::from_ref(control)).is_some(),
         "first cells are counted after it"

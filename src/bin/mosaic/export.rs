@@ -53,9 +53,11 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
             format!("{TILE_PX} pixels wide, {} bytes", fill(target, |out| write_png(&tile, out))?)
         }
         Kind::Glb | Kind::Ply | Kind::Obj | Kind::ThreeMf | Kind::Svg => {
-            let (body, controls) = ((&*mesh, &ornaments[..]), scene.plant.controls());
+            let plant = scene.plant;
+            let (body, controls) = ((&*mesh, &ornaments[..]), plant.controls(scene.individual));
             let shown = Scene { day: day as u32, show: Show::Cells, ..scene.clone() };
-            let link = if plants::find(scene.plant.key).is_some_and(|own| own == scene.plant) {
+            let own = plants::find(plant.key).and_then(|own| own.under(plant.rules as u32));
+            let link = if own.is_some_and(|own| own.to_json() == plant.to_json()) {
                 link::write(&shown)
             } else {
                 format!(

@@ -111,7 +111,7 @@ impl Subject {
         let day = self.scene.day;
         let max_cells = self.max_cells;
         let recipe = Recipe { days: day, max_cells, ..self.scene.recipe.clone() };
-        let scene = Scene { individual, recipe: recipe.clone(), ..self.scene.clone() };
+        let scene = Scene { individual, recipe, ..self.scene.clone() };
         let refuse = |why: String| format!("{}, individual {individual}: {why}", self.label);
         let sown = scene.sow(self.mesh.clone());
         let (mut growth, noise) = sown.map_err(|e| refuse(e.to_string()))?;
@@ -128,7 +128,7 @@ impl Subject {
                 Progress::Event | Progress::Day(_) => {}
             }
         }
-        let expected = self.expected(&recipe, &growth.diary);
+        let expected = self.expected(&scene, &growth.diary);
         let painted = noise.map(|noise| noise.paint(&self.mesh, &growth.diary, day as usize));
         let diary = painted.unwrap_or(growth.diary);
         let pattern = Pattern::of(&self.mesh, &mut Charts::new(&self.mesh), &diary, day as usize);
@@ -149,8 +149,9 @@ impl Subject {
     }
 
     /// What the model says of the first cells of an individual, each part at its own age.
-    fn expected(&self, recipe: &Recipe, diary: &Diary) -> Option<Expected> {
-        let plant = self.scene.plant;
+    fn expected(&self, scene: &Scene, diary: &Diary) -> Option<Expected> {
+        let Scene { plant, recipe, .. } = scene;
+        let controls = plant.controls(scene.individual);
         let mut by_age = BTreeMap::<u32, [u32; 3]>::new();
         for (place, cell) in diary.days[0].places.iter().zip(&diary.lineage) {
             let part = self.mesh.parts[place.triangle as usize] as usize;
@@ -160,7 +161,7 @@ impl Subject {
         }
         let mut all = Expected::default();
         for (age, first_cells) in by_age {
-            let of_age = expected_cells(recipe, &plant.controls(), first_cells, age as usize)?;
+            let of_age = expected_cells(recipe, &controls, first_cells, age as usize)?;
             all.mean += of_age.mean;
             all.variance += of_age.variance;
         }

@@ -6,7 +6,7 @@ use super::output::cannot;
 use clonal_mosaic::plants::{self, Plant};
 use clonal_mosaic::play::{FIRST_INDIVIDUAL, Scene, link};
 use clonal_mosaic::surface::{Brought, Mesh, quoted};
-use clonal_mosaic::tissue::{Growth, Noise, Recipe};
+use clonal_mosaic::tissue::{Growth, Noise, Recipe, Rules};
 use glam::DVec3;
 use std::fs;
 use std::path::Path;
@@ -21,6 +21,7 @@ pub struct Subject {
     /// The control images and the direction field of a preset belong to its own body alone; those of a
     /// document lie on any.
     is_painted: bool,
+    rules: Rules,
     /// Its `days` are the days to grow.
     pub recipe: Recipe,
     pub individual: u32,
@@ -42,7 +43,8 @@ impl Subject {
         let (mesh, recipe) = (self.mesh.clone(), self.recipe.clone());
         let growth = match self.plant {
             Some(plant) if self.is_painted => plant.sow(mesh, recipe, self.individual),
-            _ => Growth::new(mesh, recipe, &[], self.individual),
+            _ => Growth::new(mesh, recipe, &[], self.individual)
+                .map(|growth| growth.under(self.rules)),
         };
         growth.map_err(|e| e.to_string())
     }
@@ -82,6 +84,7 @@ pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
         plant.check_on(&mesh).map_err(|e| of_file(path, &e))?;
     }
     Ok(Subject {
+        rules: plant.map_or(Rules::NEWEST, |plant| plant.rules),
         plant,
         noise: noise.then(|| Noise::new(&mesh, individual)),
         mesh,

@@ -20,6 +20,7 @@ pub(super) struct OnStage {
 /// What is to be drawn.
 pub(super) struct Picture<'a> {
     pub(super) plant: &'static Plant,
+    pub(super) individual: u32,
     pub(super) look: &'a Look,
     pub(super) show: Show,
     /// The text of the plant's mesh, once it has come.
@@ -56,6 +57,7 @@ impl<'a> Picture<'a> {
         });
         Picture {
             plant: scene.plant,
+            individual: scene.individual,
             look: &scene.look,
             show: scene.show,
             mesh: page.mesh(),
@@ -71,7 +73,9 @@ impl<'a> Picture<'a> {
         let cells = self.cells.as_ref().map(|cells| (cells.generation, cells.day));
         let painted = self.cells.as_ref().and_then(|cells| cells.painted);
         let paint = painted.map(|(_, paint)| paint).unwrap_or_default();
-        Wanted { plant: self.plant.key, look: self.look, show: self.show, cells, paint }
+        let Picture { plant, look, show, .. } = *self;
+        let individual = (plant.rules, self.individual);
+        Wanted { plant: plant.key, individual, look, show, cells, paint }
     }
 
     /// Hands a part of it to the renderer. Errors if it is too large.
@@ -86,7 +90,8 @@ impl<'a> Picture<'a> {
             (Part::Body, _) => renderer.set_body(&on.body, &on.geometry),
             (Part::Look, _) => renderer.set_look(self.look, &on.geometry),
             (Part::Show, _) => {
-                renderer.set_diagram(&self.show.diagram(self.plant, &on.body.surface))?;
+                let surface = &on.body.surface;
+                renderer.set_diagram(&self.show.diagram(self.plant, self.individual, surface))?;
             }
             (Part::Cells, Some(cells)) => {
                 let surface = &on.body.surface;
