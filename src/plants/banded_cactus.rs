@@ -42,7 +42,10 @@ pub const PLANT: Plant = Plant {
     },
     look: cactus::LOOK,
     paint: &[Paint {
-        image: Image { rule: ImageRule::Belts(Belts { astray_cm: 4.0, ..LOBED }), ..BELTS.image },
+        image: Image {
+            rule: ImageRule::Belts(Belts { astray_cm: 5.0, lobes_cm: [2.2, 0.9], ..LOBED }),
+            ..BELTS.image
+        },
         ..BELTS
     }],
     ..FIRST

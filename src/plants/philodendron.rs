@@ -74,7 +74,10 @@ pub const PLANT: Plant = Plant {
     recipe: RECIPE,
     look: Look { cells: [[0.76, 0.83, 0.29], [0.2, 0.37, 0.15], [0.5, 0.5, 0.2]], ..FIRST.look },
     paint: &[Paint {
-        image: Image { rule: ImageRule::Blaze(Blaze { astray: 0.35, ..FEATHERED }), ..BLAZE.image },
+        image: Image {
+            rule: ImageRule::Blaze(Blaze { astray: 0.6, uneven: 0.45, ..FEATHERED }),
+            ..BLAZE.image
+        },
         ..BLAZE
     }],
     ..FIRST

@@ -84,7 +84,7 @@ pub(super) const LOOK: Look = Look {
 
 /// The same stripes, in each individual in places of its own.
 pub(super) const fn astray(paint: Paint, stripes: Stripes) -> Paint {
-    let rule = ImageRule::Stripes(Stripes { astray: 0.5, ..stripes });
+    let rule = ImageRule::Stripes(Stripes { astray: 0.6, wander: 0.14, ..stripes });
     Paint { image: Image { rule, ..paint.image }, ..paint }
 }
 

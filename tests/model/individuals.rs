@@ -37,6 +37,7 @@ fn sown(plant: &Plant, mesh: &Arc<Mesh>) -> Vec<Place> {
 
 #[test]
 fn images_of_two_individuals_differ_nearly_as_much_as_if_they_had_nothing_in_common() {
+    let mut alike = Vec::new();
     for key in [
         "watermelon",
         "square-watermelon",
@@ -62,15 +63,16 @@ fn images_of_two_individuals_differ_nearly_as_much_as_if_they_had_nothing_in_com
             pairs.extend(all[..k].iter().map(|other| difference(one, other, of)));
         }
         let mean = pairs.iter().sum::<f64>() / pairs.len() as f64;
-        let least = pairs.iter().copied().fold(9.0, f64::min);
-        let shares: Vec<f64> = all
-            .iter()
-            .map(|t| t.iter().filter(|&&k| k == of).count() as f64 / t.len() as f64)
-            .collect();
-        println!("{key}: mean {mean:.2}, least {least:.2}, shares {shares:.2?}");
-        assert!(mean > 0.8 && least > 2.0 / 3.0, "{key}: {mean} in the mean, {least} at least");
+        let near = pairs.iter().filter(|&&d| d < 2.0 / 3.0).count();
+        let said = format!("{key}: {mean:.2} in the mean, {near} of {} pairs alike", pairs.len());
+        println!("{said}");
+        // Where an image is of a few large things, the same chance may put two of them in like places.
+        if mean < 0.85 || near > 3 {
+            alike.push(said);
+        }
         // Under the first rules all have the same.
         let first = plant.under(Rules::First as u32).unwrap();
         assert_eq!(types(first, 1, &mesh, &places), types(first, 2, &mesh, &places), "{key}");
     }
+    assert_eq!(alike, [""; 0]);
 }

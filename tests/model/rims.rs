@@ -38,8 +38,8 @@ fn at_a_straight_rim_cells_are_pushed_by_their_mirror_images() {
         let mut at_rims = 0;
         for (&from, &to) in before.iter().zip(&moved) {
             let to_rim = from.min(Vec2::splat(SIDE) - from);
-            if to_rim.max_element() < 2.5 * radius {
-                // Behind corners are images of images.
+            if to_rim.max_element() < 2.0 * radius + 1.2 {
+                // Behind corners are images of images, and each triangle has one side to be mirrored in.
                 continue;
             }
             let push = |other: &Vec2| {

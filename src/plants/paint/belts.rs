@@ -19,7 +19,7 @@ pub struct Belts {
     /// How far broad and narrow lobes of the borders reach up and down.
     pub lobes_cm: [f32; 2],
     /// How far the belts of an individual's column stand up or down from where they are said to: all together
-    /// up to so far, and each up to half as far by itself.
+    /// up to so far, and each of their borders up to half as far by itself.
     #[serde(default)]
     pub astray_cm: f32,
 }
@@ -29,15 +29,15 @@ impl Belts {
         let is_far = (0.25..0.75).contains(&turns);
         let belts = if is_far { self.far_cm } else { self.near_cm };
         let [broad_cm, narrow_cm] = self.lobes_cm;
-        let lobes = |border| {
+        let column = u32::from(is_far);
+        let moved_cm = |border| {
             broad_cm * chance.rough(turns * 17.0, border, 11)
                 + narrow_cm * chance.rough(turns * 41.0, border, 12)
+                + 0.5 * self.astray_cm * chance.shaken(2 * border + column, 14)
         };
-        let column = u32::from(is_far);
         let height_cm = height * self.height_cm - self.astray_cm * chance.shaken(column, 13);
         (0..).zip(belts).any(|(k, [lower, upper])| {
-            let height_cm = height_cm - 0.5 * self.astray_cm * chance.shaken(2 * k + column, 14);
-            (lower + lobes(2 * k)..upper + lobes(2 * k + 1)).contains(&height_cm)
+            (lower + moved_cm(2 * k)..upper + moved_cm(2 * k + 1)).contains(&height_cm)
         })
     }
 

@@ -20,14 +20,14 @@ pub struct Blaze {
     /// How far a side vein goes along the leaf on its way from midrib to rim.
     pub lean: f32,
     /// How far the middle of an individual's blaze lies beside the midrib, as a share of the way to the rim:
-    /// all along up to so far, and here and there up to half as far again.
+    /// here and there up to so far, and all along up to half as far again.
     #[serde(default)]
     pub astray: f32,
 }
 
 impl Blaze {
     pub(super) fn is_white(&self, chance: Chance, turns: f32, along: f32) -> bool {
-        let beside = chance.shaken(0, 3) + 0.5 * chance.rough(along * 4.0, 0, 4);
+        let beside = chance.rough(along * 3.0, 0, 3) + 0.5 * chance.shaken(0, 4);
         let across = 2.0 * turns - 1.0 - self.astray * beside;
         let side = u32::from(across < 0.0);
         let across = across.abs();
