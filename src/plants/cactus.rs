@@ -73,13 +73,13 @@ pub const PLANT: Plant = Plant {
     source: "after Thesis, Fig. 4.8",
     recipe: Recipe {
         // With a few green children of yellow cells and half the reach, patches are freckled and their
-        // borders rough, as in living variegated plants. More clones that divide faster keep two fifths
-        // yellow.
+        // borders rough, as in living variegated plants. More clones keep a third of the skin yellow, and
+        // 0.08 * 2^2 = 0.32 gives steps the length that they had.
         initial_cells: 10_000,
-        initial_probability: [0.004, 0.996, 0.0],
-        division_days: [2.5, 60.0, 60.0],
+        initial_probability: [0.005, 0.995, 0.0],
         mutation: [[0.97, 0.03, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         radius_scale: 2.0,
+        repulsion: 0.08,
         ..FIRST.recipe
     },
     look: LOOK,

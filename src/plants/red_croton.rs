@@ -72,6 +72,6 @@ mod tests {
         }
         let [[_, fb, fm], [bf, _, bm], [mf, mb, mm]] = born_of;
         assert_eq!([fb, bm, mf, mb], [0; 4], "{born_of:?}");
-        assert!(fm > 200 && bf > 200 && mm > 200, "{born_of:?}");
+        assert!(fm > 100 && bf > 300 && mm > 150, "{born_of:?}");
     }
 }

@@ -126,20 +126,24 @@ fn crowding(key: &str, rules: Rules, day: u32, spacings: &[f32]) -> Vec<f32> {
         .collect()
 }
 
+/// Cells in the first row stand where a strip of half a spacing ends, so that a wider one is measured, too.
 #[test]
-#[ignore = "prints"]
-fn print_crowding() {
-    let widths = [0.02, 0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0];
-    println!("{widths:?}");
-    for (key, day) in [
-        ("philodendron", 8),
-        ("philodendron", 24),
-        ("croton", 8),
-        ("mushroom", 12),
-        ("sansevieria", 6),
+fn no_more_cells_stand_at_rims_than_anywhere() {
+    for (key, day, least, most) in [
+        ("croton", 8, 0.9, 1.1),
+        ("mushroom", 12, 0.7, 1.1),
+        // The direction field leads its cells to the rim.
+        ("philodendron", 8, 0.9, 1.4),
     ] {
-        for rules in [Rules::First, Rules::Second] {
-            println!("{key} {day} {rules:?}: {:.2?}", crowding(key, rules, day, &widths));
-        }
+        let [on_it, half, whole] = crowding(key, Rules::Second, day, &[0.1, 0.5, 1.0])[..] else {
+            panic!("three strips")
+        };
+        assert!(on_it < 0.5 && (least..most).contains(&half), "{key}: {on_it}, {half}");
+        assert!((0.9..1.1).contains(&whole), "{key}: {whole}");
     }
+    // What they would do without mirrors.
+    let [on_it, half] = crowding("mushroom", Rules::First, 12, &[0.1, 0.5])[..] else {
+        panic!("two strips")
+    };
+    assert!(on_it > 5.0 && half > 2.0, "{on_it}, {half}");
 }
