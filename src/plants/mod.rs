@@ -369,8 +369,8 @@ mod tests {
         ] {
             let mesh = surface(key);
             let plant = find(key).unwrap();
-            for control in plant.controls(1) {
-                let Wrap::Cylinder(Cylinder { axis, zero, .. }) = control.wrap else { continue };
+            for paint in plant.paint {
+                let Wrap::Cylinder(Cylinder { axis, zero, .. }) = paint.wrap else { continue };
                 assert!((axis.length() - 1.0).abs() < 1e-6);
                 assert!((zero.length() - 1.0).abs() < 1e-6);
                 assert!(axis.dot(zero).abs() < 1e-6);

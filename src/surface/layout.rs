@@ -87,7 +87,7 @@ pub(super) struct Layout<'a> {
     pub(super) images: Vec<Image>,
     pub(super) outline: Outline,
     /// For each triangle its index in `images`, or `NONE`.
-    image_of: Vec<u32>,
+    pub(super) image_of: Vec<u32>,
     is_own: Vec<bool>,
     fitting: Fitting,
     centre: Vec2,

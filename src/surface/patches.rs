@@ -3,7 +3,7 @@
 
 use super::chart::Image;
 use super::layout::{Fit, Layout};
-use super::mirrors::add_mirrored;
+use super::mirrors::{add_mirrored, nearest_rims};
 use super::outline::Outline;
 use super::{Mesh, NO_TWIN};
 use std::ops::Range;
@@ -54,7 +54,7 @@ pub fn cut_into_patches(
         narrow_area: square(SMALLEST_WIDTH * reach),
         torn_area: square(torn_width * reach),
         reach,
-        rims,
+        nearest_rims: (rims == Rims::Mirror).then(|| nearest_rims(mesh)),
         layout: Layout::new(mesh, reach, torn_width > 0.0),
         piece_of: vec![0; count],
         pieces: 0,
@@ -107,7 +107,8 @@ struct Cutter<'a, Take> {
     narrow_area: f32,
     torn_area: f32,
     reach: f32,
-    rims: Rims,
+    /// Where rims are mirrors.
+    nearest_rims: Option<Vec<u32>>,
     layout: Layout<'a>,
     /// For each triangle the number of the last piece that it was looked for in, as long as it has
     /// not been found.
@@ -162,9 +163,9 @@ impl<Take: FnMut(Patch) -> bool> Cutter<'_, Take> {
 
     /// Hands over what was laid down last.
     fn hand_over(&mut self, own: usize) -> Option<()> {
-        if self.rims == Rims::Mirror {
-            let Layout { images, outline, .. } = &mut self.layout;
-            add_mirrored(self.mesh, images, outline, self.reach);
+        if let Some(nearest_rims) = &self.nearest_rims {
+            let Layout { images, image_of, outline, .. } = &mut self.layout;
+            add_mirrored(nearest_rims, images, image_of, outline, self.reach);
         }
         let Layout { images, outline, .. } = &self.layout;
         (self.take)(Patch { images, own, outline }).then_some(())

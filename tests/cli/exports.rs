@@ -47,7 +47,7 @@ fn a_glb_has_the_plant_in_metres_its_colours_and_its_link() {
     let blob = gltf.blob.as_deref().unwrap();
     let scene = gltf.default_scene().unwrap();
     let extras = scene.extras().as_ref().unwrap().get();
-    assert!(extras.contains("croton?v=1&s=4&d=1"), "{extras}");
+    assert!(extras.contains("croton?v=2&s=4&d=1"), "{extras}");
     let node = scene.nodes().next().unwrap();
     let (_, _, scale) = node.transform().decomposed();
     assert!(scale.iter().all(|s| (s - 0.01).abs() < 1e-9), "{scale:?}");
@@ -105,7 +105,7 @@ fn a_ply_has_the_triangles_and_srgb_colours() {
     let (path, told) = export("--ply", "plant.ply");
     let mut file = std::io::BufReader::new(fs::File::open(&path).unwrap());
     let ply = Parser::<DefaultElement>::new().read_ply(&mut file).unwrap();
-    assert!(ply.header.comments.iter().any(|c| c.contains("croton?v=1&s=4&d=1")));
+    assert!(ply.header.comments.iter().any(|c| c.contains("croton?v=2&s=4&d=1")));
     let vertices: Vec<([f64; 3], [u8; 3])> = ply.payload["vertex"]
         .iter()
         .map(|vertex| {
@@ -176,7 +176,7 @@ fn an_svg_has_each_leaf_true_to_scale() {
     let text = fs::read_to_string(path).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();
     let element = |name: &'static str| document.descendants().filter(move |n| n.has_tag_name(name));
-    assert!(element("desc").next().unwrap().text().unwrap().ends_with("croton?v=1&s=4&d=1"));
+    assert!(element("desc").next().unwrap().text().unwrap().ends_with("croton?v=2&s=4&d=1"));
     assert_eq!(element("g").count(), 18);
     assert_eq!(number(&told, "parts"), 18);
     let box_of: Vec<f64> = element("svg")
