@@ -209,9 +209,7 @@ pub fn find(key: &str) -> Option<&'static Plant> {
 mod tests {
     use super::*;
     use crate::surface::{Cylinder, NO_TWIN, Place, Wrap};
-    use crate::tissue::CellType;
-    use crate::tissue::CellType::Foreground;
-    use crate::tissue::Progress;
+    use crate::tissue::{CellType, CellType::Foreground, Progress};
     use glam::Vec3;
 
     fn surface(key: &str) -> Mesh {
