@@ -12,7 +12,7 @@ pub const PLANT: Plant = Plant {
     source: "",
     colour_names: ["white", "green", "net white"],
     recipe: Recipe {
-        initial_cells: 22_000,
+        initial_cells: 20_000,
         // All, until they hear of the veins.
         initial_probability: [1.0, 0.0, 0.0],
         // Any of them at any time, so that edges are ever more ragged and no day jumps.

@@ -41,7 +41,7 @@ pub const PLANT: Plant = Plant {
     view: View { azimuth_deg: 0.0, elevation_deg: 28.0, zoom: 0.95 },
     body: Shape {
         mesh: mesh_file!("winter_squash.obj"),
-        levels: 2,
+        levels: 1,
         but: &[],
         growths: Growths::Nothing,
     },
