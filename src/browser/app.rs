@@ -3,10 +3,10 @@
 
 mod frame;
 
-use super::address::{fragment, push_link, with_fragment, write_link};
+use super::address::{fragment, push_link, wanted, with_fragment, write_link};
 use super::card::Card;
 use super::chooser::Chooser;
-use super::controls::Controls;
+use super::controls::{Controls, load_studio};
 use super::dom::{Listener, document, on, window};
 use super::files;
 use super::fingers::Fingers;
@@ -104,6 +104,7 @@ pub fn start() {
     let calm = app.surroundings.less_motion();
     app.hear(Event::LessMotion(calm));
     APP.set(Some(app));
+    load_studio(&wanted());
 }
 
 /// Ends the page: all that it listens to, and its worker.
@@ -264,6 +265,7 @@ impl App {
 
     /// Shows what the address asks for: the figures or a plant.
     fn open_address(&mut self) {
+        load_studio(&wanted());
         let fragment = fragment();
         let asked = asked_figure(&fragment);
         if let Some(gallery) = &self.gallery {

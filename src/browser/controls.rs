@@ -12,6 +12,7 @@ use crate::play::link::INDIVIDUAL;
 use crate::play::page::{Event, Page, State};
 use crate::play::words;
 use glam::Vec2;
+use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Element, HtmlDialogElement, HtmlElement, HtmlInputElement};
 
@@ -59,9 +60,11 @@ impl Controls {
         for (id, factor) in [("nearer", ZOOM), ("farther", 1.0 / ZOOM)] {
             listeners.push(click(id, move || app::zoom(factor, Vec2::ZERO)));
         }
-        for door in ["take-away", "charts"] {
-            listeners.push(click(door, move || load_studio(door)));
-        }
+        listeners.push(on(&find::<Element>("studio"), "click", |event: web_sys::Event| {
+            if let Some(door) = event.target() {
+                load_studio(&door.unchecked_into::<Element>().id());
+            }
+        }));
         for kind in ["dragover", "drop"] {
             // Or else the browser goes to the file, away from the plant.
             listeners.push(on(&document(), kind, |event: web_sys::Event| {
@@ -201,9 +204,9 @@ pub fn copy_link() {
 }
 
 /// Loads the studio when it is first wanted; then it listens itself.
-fn load_studio(wanted: &'static str) {
+pub fn load_studio(wanted: &str) {
     let root = document().document_element().expect("a document has a root");
-    if root.has_attribute("data-studio") {
+    if wanted.is_empty() || root.has_attribute("data-studio") {
         return;
     }
     set_attribute(&root, "data-studio", wanted);

@@ -1,7 +1,6 @@
 //! The edge to the browser: puts the brains of page and worker into a document and a worker thread.
 //! What can be decided without a browser is decided in `play`.
 
-#[cfg(feature = "draw")]
 mod address;
 #[cfg(feature = "draw")]
 mod app;

@@ -10,12 +10,13 @@ mod take_away;
 mod work;
 mod worker;
 
-use super::dom::{document, find, on, set_attribute};
+use super::address::wanted;
+use super::dom::{document, find, on, set_attribute, window};
 use charts::ChartView;
 use std::cell::RefCell;
 use take_away::TakeAway;
 use wasm_bindgen::JsCast;
-use web_sys::{Element, Event, HtmlElement};
+use web_sys::{Element, Event};
 
 pub use worker::start_worker;
 
@@ -36,19 +37,23 @@ pub fn start() {
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
     STUDIO.set(Some(Studio { take_away: TakeAway::new(), charts: ChartView::new() }));
-    for door in ["take-away", "charts"] {
-        let button: HtmlElement = find(door);
-        // It is there as long as the page is.
-        std::mem::forget(on(&button, "click", move |_: Event| open(door)));
-    }
+    // They are there as long as the page is.
+    std::mem::forget(on(&find::<Element>("studio"), "click", |event: Event| {
+        if let Some(door) = event.target() {
+            open(&door.unchecked_into::<Element>().id());
+        }
+    }));
+    std::mem::forget(on(&window(), "hashchange", |_: Event| follow()));
     files::take_what_is_dropped();
     let root = document().document_element().expect("a document has a root");
     if let Some(wanted) = root.get_attribute("data-studio") {
         open(&wanted);
     }
     set_attribute(&root, "data-studio", "here");
+    follow();
 }
 
+/// Opens what a button of the page is for.
 fn open(door: &str) {
     with(|studio| match door {
         "take-away" => studio.take_away.open(),
@@ -56,6 +61,13 @@ fn open(door: &str) {
         // What was dropped is heard of by itself.
         _ => {}
     });
+}
+
+/// Agrees with the address: what stands behind its `~`, a view and, behind a `/`, what of it.
+fn follow() {
+    let wanted = wanted();
+    let wanted = wanted.trim_start_matches('~');
+    let (_view, _of_it) = wanted.split_once('/').unwrap_or((wanted, ""));
 }
 
 fn with(f: impl FnOnce(&mut Studio)) {

@@ -68,6 +68,8 @@ pub fn write(scene: &Scene) -> String {
 /// the one that stands in.
 pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
     let text = decode(text.trim().trim_start_matches('#'));
+    // What stands behind is what a page does with the plant.
+    let text = text.split('~').next().unwrap_or_default();
     let text = text.trim_end_matches(hangs_on);
     let (name, query) = text.split_once('?').unwrap_or((text, ""));
     let mut left_out = Vec::new();

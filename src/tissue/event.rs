@@ -7,9 +7,12 @@ use super::lanes::{LANES, lanes_mut};
 use super::near::Near;
 use super::plan::{Neighbourhood, Plan};
 use super::relax::{Row, four, put_four, rows_of};
+#[cfg(not(target_arch = "wasm32"))]
+use super::team::Team;
 use crate::surface::{Mesh, Place, length, walk};
 use glam::Vec2;
 use std::ops::Range;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use wide::f32x4;
 
 /// All that decides where cells go.
@@ -38,16 +41,23 @@ impl Event<'_> {
 
 /// Those who do the work, each on a thread of its own. Every displacement comes from the old places, so
 /// that it does not matter who moves which cells.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Hands {
-    hands: Vec<Hand>,
+    /// Each is taken by one thread alone.
+    hands: Vec<Mutex<Hand>>,
     #[cfg(not(target_arch = "wasm32"))]
-    threads: Option<std::sync::Arc<rayon::ThreadPool>>,
+    team: Team,
 }
 
 /// Cells are dealt out to more than one hand from so many each on: to start a thread takes as long as to
 /// move some hundred cells.
+#[cfg(not(target_arch = "wasm32"))]
 const CELLS_PER_HAND: usize = 2_000;
+
+/// Several hands take so many pieces of work each, one after the other: cells that crowd take longer, and
+/// threads that others hold up do less.
+#[cfg(not(target_arch = "wasm32"))]
+const PIECES_PER_HAND: usize = 8;
 
 /// To search a bin takes as long as to look through so many runs without cells.
 const RUNS_PER_SEARCH: usize = 8;
@@ -61,7 +71,7 @@ struct Hand {
     caught_walks: u64,
 }
 
-/// Where a hand writes: rows from the first of its own on, with spare ones behind the last.
+/// Where a hand writes: rows from the first of a piece of work on.
 struct Output<'a> {
     moved: &'a mut [Row],
     bins: &'a mut [u32],
@@ -71,9 +81,9 @@ struct Output<'a> {
 impl Default for Hands {
     fn default() -> Hands {
         Hands {
-            hands: vec![Hand::default()],
+            hands: vec![Mutex::default()],
             #[cfg(not(target_arch = "wasm32"))]
-            threads: None,
+            team: Team::new(1),
         }
     }
 }
@@ -83,117 +93,89 @@ impl Hands {
     /// If the system gives no threads.
     #[cfg(not(target_arch = "wasm32"))]
     pub(super) fn new(threads: usize) -> Hands {
-        let pool = || rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let threads_of_pool =
-            (threads > 1).then(|| std::sync::Arc::new(pool().expect("the system gives threads")));
-        Hands { hands: vec![Hand::default(); threads.max(1)], threads: threads_of_pool }
+        let hands = (0..threads.max(1)).map(|_| Mutex::default()).collect();
+        Hands { hands, team: Team::new(threads) }
     }
 
-    /// The threads of the hands, if so many cells need several: then `relax` is to be called among them.
+    /// The threads of the hands, if so many cells need several, and as many even ranges of so many things.
     #[cfg(not(target_arch = "wasm32"))]
-    pub(super) fn threads_for(&self, cells: usize) -> Option<std::sync::Arc<rayon::ThreadPool>> {
-        self.threads.clone().filter(|_| self.needed(cells) > 1)
-    }
-
-    /// How many there are.
-    pub(super) fn count(&self) -> usize {
-        self.hands.len()
+    pub(super) fn together(
+        &self,
+        things: usize,
+        cells: usize,
+    ) -> Option<(&Team, Vec<Range<usize>>)> {
+        let hands = self.needed(cells);
+        let share = |hand| things * hand / hands..things * (hand + 1) / hands;
+        (hands > 1).then(|| (&self.team, (0..hands).map(share).collect()))
     }
 
     pub(super) fn caught_walks(&self) -> u64 {
-        self.hands.iter().map(|hand| hand.caught_walks).sum()
-    }
-
-    /// Ranges of so many things, as even as can be, for each hand that there is work for with so many cells.
-    pub(super) fn even_shares(&self, things: usize, cells: usize) -> Vec<Range<usize>> {
-        let hands = self.needed(cells);
-        (0..hands).map(|hand| things * hand / hands..things * (hand + 1) / hands).collect()
+        self.hands.iter().map(|hand| held(hand).caught_walks).sum()
     }
 
     /// How many hands so many cells are dealt out to.
+    #[cfg(not(target_arch = "wasm32"))]
     fn needed(&self, cells: usize) -> usize {
         self.hands.len().min(cells / CELLS_PER_HAND).max(1)
     }
 
     /// Room for all cells of a day.
     pub(super) fn reserve(&mut self, cells: usize) {
-        for hand in &mut self.hands {
-            hand.near.reserve(cells);
+        for hand in &self.hands {
+            held(hand).near.reserve(cells);
         }
     }
 
-    /// Moves all cells. `moved` and `bins` have `LANES` spare rows for each hand; returns those that hold
-    /// cells, in the order of the cells.
-    pub(super) fn relax(
-        &mut self,
-        event: &Event,
-        moved: &mut [Row],
-        bins: &mut [u32],
-    ) -> Vec<Range<usize>> {
-        let shares = self.shares(event);
-        let (mut moved, mut bins) = (moved, bins);
-        let (mut works, mut written) = (Vec::new(), Vec::new());
-        let mut spare = 0;
-        for (hand, patches) in self.hands.iter_mut().zip(shares) {
-            let slots = event.plan.slots_of(&patches);
-            let rows = event.rows_of_slots(&slots);
-            let (own_moved, other_moved) = moved.split_at_mut(rows.len() + LANES);
-            let (own_bins, other_bins) = bins.split_at_mut(rows.len() + LANES);
-            (moved, bins) = (other_moved, other_bins);
-            written.push(rows.start + spare..rows.end + spare);
-            spare += LANES;
-            let output = Output { moved: own_moved, bins: own_bins, first_row: rows.start };
-            works.push(Work { hand, patches, output });
+    /// Moves all cells: writes each row and its bin anew.
+    pub(super) fn relax(&self, event: &Event, moved: &mut [Row], bins: &mut [u32]) {
+        let patches = &event.plan.patches[..];
+        #[cfg(not(target_arch = "wasm32"))]
+        if self.needed(moved.len()) > 1 {
+            return self.relax_together(event, moved, bins);
         }
-        match works {
-            #[cfg(not(target_arch = "wasm32"))]
-            works if works.len() > 1 => rayon::scope(|all| {
-                for work in works {
-                    all.spawn(|_| work.do_it(event));
-                }
-            }),
-            works => works.into_iter().for_each(|work| work.do_it(event)),
-        }
-        written
+        let output = &mut Output { moved, bins, first_row: 0 };
+        held(&self.hands[0]).relax_patches(event, patches, output);
     }
 
-    /// The patches of each hand: about as many cells for all, and one hand alone where they are few.
-    fn shares(&self, event: &Event) -> Vec<Range<usize>> {
-        let patches = event.plan.patches.len();
-        let cells = event.rows_of_slots(&(0..event.plan.order.len())).len();
-        let hands = self.needed(cells);
-        let mut first = 0;
-        (1..=hands)
-            .map(|number| {
-                let begins = |patch: &Neighbourhood| event.rows_of_slots(&patch.own).start;
-                let enough = cells * number / hands;
-                let end = event.plan.patches.partition_point(|patch| begins(patch) < enough);
-                let share = first..if number == hands { patches } else { end.max(first) };
-                first = share.end;
-                share
-            })
-            .collect()
+    /// The same piece by piece, each by a thread that has nothing else to do.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn relax_together(&self, event: &Event, mut moved: &mut [Row], mut bins: &mut [u32]) {
+        let pieces = self.needed(moved.len()) * PIECES_PER_HAND;
+        let most = moved.len().div_ceil(pieces);
+        let (mut works, mut first_row) = (Vec::with_capacity(pieces + 1), 0);
+        let mut patches = &event.plan.patches[..];
+        while !patches.is_empty() {
+            let begins = |patch: &Neighbourhood| event.rows_of_slots(&patch.own).start;
+            let count = patches.partition_point(|patch| begins(patch) < first_row + most);
+            let (piece, others) = patches.split_at(count.max(1));
+            let rows = others.first().map_or(moved.len(), |patch| begins(patch) - first_row);
+            let (own_moved, other_moved) = moved.split_at_mut(rows);
+            let (own_bins, other_bins) = bins.split_at_mut(rows);
+            works.push((piece, Output { moved: own_moved, bins: own_bins, first_row }));
+            (patches, moved, bins, first_row) = (others, other_moved, other_bins, first_row + rows);
+        }
+        self.team.share(works, |number, (patches, mut output)| {
+            held(&self.hands[number]).relax_patches(event, patches, &mut output);
+        });
     }
 }
 
-/// A hand and what it is to do.
-struct Work<'a> {
-    hand: &'a mut Hand,
-    patches: Range<usize>,
-    output: Output<'a>,
-}
-
-impl Work<'_> {
-    fn do_it(mut self, event: &Event) {
-        for patch in &event.plan.patches[self.patches] {
-            if !event.rows_of_slots(&patch.own).is_empty() {
-                self.hand.relax(event, patch, &mut self.output);
-            }
-        }
-    }
+/// A hand, to be worked with. One that was dropped in the middle of its work is as good as any: each piece
+/// begins anew.
+fn held(hand: &Mutex<Hand>) -> MutexGuard<'_, Hand> {
+    hand.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Hand {
+    /// Moves the cells of patches that follow each other.
+    fn relax_patches(&mut self, event: &Event, patches: &[Neighbourhood], output: &mut Output) {
+        for patch in patches {
+            if !event.rows_of_slots(&patch.own).is_empty() {
+                self.relax(event, patch, output);
+            }
+        }
+    }
+
     /// Moves the cells of a patch.
     fn relax(&mut self, event: &Event, patch: &Neighbourhood, output: &mut Output) {
         let own = event.rows_of_slots(&patch.own);
@@ -273,9 +255,9 @@ impl Hand {
             let [b1, b2, kind, cell] = four(event.rows, row);
             let (b1, b2) = (b1 + change_1, b2 + change_2);
             let b0 = f32x4::ONE - b1 - b2;
-            put_four(output.moved, to, [b1, b2, kind, cell]);
             let bins = self.near.first_bins(k) + plan.bins.four_within(b1, b2);
-            *lanes_mut(output.bins, to) = bins.to_array();
+            let count = (rows.end - row).min(LANES);
+            output.put_some(to, count, [b1, b2, kind, cell], bins.to_array());
             // Most steps stay in their triangle. Along a course every step is turned first, and what was
             // smoothed is of another size.
             let inside =
@@ -287,7 +269,6 @@ impl Hand {
             }
             let (change_1, change_2) = (change_1.to_array(), change_2.to_array());
             let (x, y) = (x.to_array(), y.to_array());
-            let count = (rows.end - row).min(LANES);
             for lane in (0..count).filter(|lane| inside & 1 << lane == 0) {
                 let triangle = plan.order[slots[lane] as usize];
                 let frame = &mesh.frames[triangle as usize];
@@ -311,6 +292,20 @@ fn as_long_as(direction: Vec2, other: Vec2) -> Vec2 {
 }
 
 impl Output<'_> {
+    /// Puts up to four cells down, from a row on.
+    #[inline]
+    fn put_some(&mut self, row: usize, count: usize, columns: [f32x4; 4], bins: [u32; LANES]) {
+        if count == LANES {
+            put_four(self.moved, row, columns);
+            *lanes_mut(self.bins, row) = bins;
+            return;
+        }
+        let mut four = [Row::default(); LANES];
+        put_four(&mut four, 0, columns);
+        self.moved[row..row + count].copy_from_slice(&four[..count]);
+        self.bins[row..row + count].copy_from_slice(&bins[..count]);
+    }
+
     /// Puts the cell of a row in another place.
     fn put(&mut self, row: usize, place: Place, plan: &Plan) {
         let moved = &mut self.moved[row];

@@ -1,5 +1,6 @@
 //! Columns of numbers that are read and written four at a time, and how they are sorted.
 
+#[cfg(not(target_arch = "wasm32"))]
 use std::ops::Range;
 use wide::{f32x4, u32x4, u64x2};
 
@@ -80,21 +81,20 @@ pub(super) struct BinSort {
 }
 
 impl BinSort {
-    /// Sorts some of the rows, given by their bins. Those of one bin keep their order. `place` is called with
-    /// each row's number before and after.
+    /// Sorts rows, given by their bins. Those of one bin keep their order. `place` is called with each row's
+    /// number before and after.
     #[inline]
     pub(super) fn sort(
         &mut self,
         bins: &[u32],
-        rows: Range<usize>,
         bins_in_all: usize,
         mut place: impl FnMut(usize, usize),
     ) {
         let room = self.make_room(bins.len(), 1, bins_in_all);
-        let (counts, ranks) = (&mut self.counts[0][..room], &mut self.ranks[rows.clone()]);
-        count(&bins[rows.clone()], ranks, counts);
+        let (counts, ranks) = (&mut self.counts[0][..room], &mut self.ranks[..]);
+        count(bins, ranks, counts);
         sum_up(counts, &mut self.starts[..room]);
-        for ((row, &bin), &rank) in rows.clone().zip(&bins[rows]).zip(&*ranks) {
+        for ((row, &bin), &rank) in bins.iter().enumerate().zip(&*ranks) {
             place(row, (one(&self.starts, bin as usize) + rank) as usize);
         }
     }
@@ -246,8 +246,7 @@ mod tests {
         for (bins_in_all, count) in [(5, 12), (64, 1000), (7, 300), (1, 3), (64, 40)] {
             let bins: Vec<u32> = (0..count).map(|row| row * row * 31 % 101 % bins_in_all).collect();
             let mut sorted = vec![u32::MAX; bins.len()];
-            let all = 0..bins.len();
-            sorting.sort(&bins, all, bins_in_all as usize, |row, to| sorted[to] = row as u32);
+            sorting.sort(&bins, bins_in_all as usize, |row, to| sorted[to] = row as u32);
             let mut expected: Vec<u32> = (0..count).collect();
             expected.sort_by_key(|&row| bins[row as usize]);
             assert_eq!(sorted, expected);

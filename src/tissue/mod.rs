@@ -20,6 +20,8 @@ mod plan;
 mod recipe;
 mod relax;
 #[cfg(not(target_arch = "wasm32"))]
+mod team;
+#[cfg(not(target_arch = "wasm32"))]
 mod threads;
 
 pub(crate) use bins::{Bins, Rim};

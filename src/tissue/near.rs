@@ -192,8 +192,7 @@ impl Near {
         let Points { x, y, kind } = &self.unsorted;
         let (x, y, kind) = (&x[..], &y[..], &kind[..]);
         let (to_x, to_y, to_kind) = (&mut self.x[..], &mut self.y[..], &mut self.kind[..]);
-        let all = 0..self.len;
-        self.sorting.sort(&self.box_of, all, self.boxes, move |k, to| {
+        self.sorting.sort(&self.box_of[..self.len], self.boxes, move |k, to| {
             // SAFETY: all columns are of the same length, at least `len`, as `reserve` made them.
             unsafe {
                 copy(x, k, to_x, to);

@@ -119,15 +119,6 @@ impl Plan {
         slots.start * self.bins.in_triangle()..slots.end * self.bins.in_triangle()
     }
 
-    /// The triangles of patches that follow each other, as a range of `order`.
-    pub(super) fn slots_of(&self, patches: &Range<usize>) -> Range<usize> {
-        let start = |patch: usize| match self.patches.get(patch) {
-            Some(patch) => patch.own.start,
-            None => self.order.len(),
-        };
-        start(patches.start)..start(patches.end)
-    }
-
     /// The bin that a place lies in.
     #[inline]
     pub(super) fn bin(&self, place: Place) -> u32 {

@@ -13,13 +13,13 @@ use wide::f32x4;
 /// The cells of one day in the order of their bins, so that cells that lie together in space lie
 /// together in memory. A bin is a triangle or, where many cells share one, one of the equal
 /// triangles that it is cut into.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Crowd {
     plan: Plan,
     cells: usize,
     /// How many of the types there are, from the first on.
     types: usize,
-    /// With `LANES` spare rows, as `moved` and `bins`.
+    /// With `LANES` spare rows.
     rows: Vec<Row>,
     sorting: BinSort,
     /// Where the cells have moved to, before they are sorted again, and their bins there.
@@ -78,10 +78,9 @@ impl Crowd {
     ) {
         self.cells = places.len();
         self.plan.renew(mesh, self.cells, reach_cm);
-        let count = self.cells + LANES * self.hands.count();
-        self.rows.resize(count, Row::default());
-        self.moved.resize(count, Row::default());
-        self.bins.resize(count, 0);
+        self.rows.resize(self.cells + LANES, Row::default());
+        self.moved.resize(self.cells, Row::default());
+        self.bins.resize(self.cells, 0);
         self.hands.reserve(self.cells);
         self.types = (0..self.cells).map(&kind).max().map_or(1, |most| usize::from(most) + 1);
         let plan = &self.plan;
@@ -90,26 +89,24 @@ impl Crowd {
             *row = Row { b1, b2, kind: f32::from(kind(number)), cell: number as u32 };
             *bin = plan.bin(places[number]);
         };
-        let numbers = self.hands.even_shares(self.cells, self.cells);
         #[cfg(not(target_arch = "wasm32"))]
-        if let Some(threads) = self.hands.threads_for(self.cells) {
+        if let Some((team, numbers)) = self.hands.together(self.cells, self.cells) {
             let (moved, bins) = (&mut self.moved[..], &mut self.bins[..]);
-            threads.install(|| super::threads::take_up(&numbers, moved, bins, take_up));
-            return threads.install(|| self.sort(&numbers));
+            super::threads::take_up(team, &numbers, moved, bins, take_up);
+            return self.sort();
         }
         let rows = self.moved.iter_mut().zip(&mut self.bins);
         (0..self.cells).zip(rows).for_each(|(number, (row, bin))| take_up(number, row, bin));
-        self.sort(&numbers);
+        self.sort();
     }
 
     /// The places of all cells by their numbers.
     pub fn places(&self) -> Vec<Place> {
         let mut places = vec![Place::default(); self.cells];
         #[cfg(not(target_arch = "wasm32"))]
-        if let Some(threads) = self.hands.threads_for(self.cells) {
-            let slots = self.hands.even_shares(self.plan.order.len(), self.cells);
+        if let Some((team, slots)) = self.hands.together(self.plan.order.len(), self.cells) {
             let tell = |slots, tell: &mut dyn FnMut(usize, Place)| self.tell(slots, tell);
-            threads.install(|| super::threads::scatter(&slots, &mut places, tell));
+            super::threads::scatter(team, &slots, &mut places, tell);
             return places;
         }
         self.tell(0..self.plan.order.len(), |cell, place| places[cell] = place);
@@ -130,16 +127,6 @@ impl Crowd {
     /// is of the reach that the cells were gathered with. With a course, each displacement is turned
     /// along its direction field.
     pub fn relax(&mut self, mesh: &Mesh, ground: &Ground, course: Option<&Course>) {
-        #[cfg(not(target_arch = "wasm32"))]
-        if let Some(threads) = self.hands.threads_for(self.cells) {
-            // All of it among the threads: to go in and out for each of its parts would have to be waited for.
-            return threads.install(|| self.relax_here(mesh, ground, course));
-        }
-        self.relax_here(mesh, ground, course);
-    }
-
-    /// The same, on this thread and those that share its pool.
-    fn relax_here(&mut self, mesh: &Mesh, ground: &Ground, course: Option<&Course>) {
         let event = Event {
             mesh,
             ground,
@@ -152,8 +139,8 @@ impl Crowd {
             spacing_cm: (mesh.area / self.cells as f32).sqrt(),
             look_cm: look_cm(mesh, self.cells, ground.reach_cm()),
         };
-        let written = self.hands.relax(&event, &mut self.moved, &mut self.bins);
-        self.sort(&written);
+        self.hands.relax(&event, &mut self.moved, &mut self.bins);
+        self.sort();
     }
 
     /// The bins that hold cells.
@@ -167,26 +154,19 @@ impl Crowd {
         rows_of(&self.sorting.starts, bins)
     }
 
-    /// Sorts the moved cells of some rows by their bins; those of one bin keep their order.
-    fn sort(&mut self, written: &[Range<usize>]) {
+    /// Sorts the moved cells by their bins; those of one bin keep their order.
+    fn sort(&mut self) {
         let bins_in_all = self.plan.bins_in_all();
         let (moved, rows) = (&self.moved[..], &mut self.rows[..]);
-        match written {
-            #[cfg(not(target_arch = "wasm32"))]
-            [_, _, ..] => super::threads::sort(
-                &mut self.sorting,
-                (&self.bins, written, bins_in_all),
-                moved,
-                rows,
-            ),
-            [written, ..] => {
-                self.sorting.sort(&self.bins, written.clone(), bins_in_all, move |row, to| {
-                    // SAFETY: both have as many rows, more than there are cells.
-                    unsafe { copy(moved, row, rows, to) };
-                });
-            }
-            [] => {}
+        #[cfg(not(target_arch = "wasm32"))]
+        if let Some((team, shares)) = self.hands.together(self.cells, self.cells) {
+            let unsorted = (&self.bins[..], &shares[..], bins_in_all);
+            return super::threads::sort(team, &mut self.sorting, unsorted, moved, rows);
         }
+        self.sorting.sort(&self.bins, bins_in_all, move |row, to| {
+            // SAFETY: there is a row for each cell.
+            unsafe { copy(moved, row, rows, to) };
+        });
     }
 }
 

@@ -3,6 +3,7 @@
 use super::files::save;
 use super::work::{Said, Work};
 use super::{subject, with};
+use crate::browser::address::fragment;
 use crate::browser::dom::{
     Listener, document, find, on, set_attribute, set_flag, set_text, within,
 };
@@ -95,8 +96,7 @@ impl ChartView {
         if self.view.hidden() {
             return;
         }
-        let fragment = crate::browser::dom::window().location().hash().unwrap_or_default();
-        let mut scene = link::read(&fragment, plants::all()).scene;
+        let mut scene = link::read(&fragment(), plants::all()).scene;
         scene.day = scene.recipe.days;
         if self.scene.as_ref().is_some_and(|old| old.grows_like(&scene)) {
             return self.show();

@@ -1,5 +1,6 @@
 //! What the page shows: the scene that it would print now, and its mesh.
 
+use crate::browser::address::{fragment, wanted};
 use crate::browser::dom::{document, find, window};
 use crate::browser::files;
 use crate::plants;
@@ -26,9 +27,17 @@ pub fn scene() -> Scene {
     link::read(link_of(&address()), plants::all()).scene
 }
 
-/// Shows a scene on the page, by its link.
+/// Shows a scene on the page, by its link; what the studio does with it goes on.
 pub fn show(link: &str) {
-    let _ = window().location().set_hash(link);
+    let _ = window().location().set_hash(&format!("{link}{}", wanted()));
+}
+
+/// Does something else with the plant that is there, or nothing: `lesson/chance/2`. This makes an entry of the
+/// browser's history.
+pub fn want(what: &str) {
+    let link = fragment();
+    let beside = if what.is_empty() { String::new() } else { format!("~{what}") };
+    let _ = window().location().set_hash(&format!("{link}{beside}"));
 }
 
 /// The fingerprint of the day on the screen.
