@@ -26,11 +26,12 @@ use super::timeline::Timeline;
 use crate::draw::Renderer;
 use crate::plants;
 use crate::play::canvases::Canvases;
-use crate::play::figures::{Figure, asked_figure};
+use crate::play::figures::Figure;
 use crate::play::gallery;
 use crate::play::page::{Effect, Event, Page, State};
 use crate::play::parameters::Parameter;
 use crate::play::protocol::BUILD;
+use crate::play::series::asked_view;
 use crate::surface::unpack;
 use glam::Vec2;
 use std::cell::RefCell;
@@ -97,9 +98,7 @@ pub fn start() {
         page,
         stage,
     };
-    if let Some(number) = asked_figure(&fragment) {
-        app.gallery = Some(Gallery::open(number, &app.page.link(), &app.bookmark));
-    }
+    app.open_gallery(&fragment);
     app.act(effects);
     let calm = app.surroundings.less_motion();
     app.hear(Event::LessMotion(calm));
@@ -235,8 +234,9 @@ pub fn reset_parameter(parameter: &'static Parameter) {
 
 /// The address of what is shown, also while it plays.
 pub fn address() -> String {
-    if let Some(number) = asked_figure(&fragment()) {
-        return with_fragment(&format!("figures/{number}"));
+    let fragment = fragment();
+    if asked_view(&fragment).is_some() {
+        return with_fragment(fragment.trim_start_matches('#'));
     }
     let link = APP.with_borrow(|app| app.as_ref().map(|app| app.page.link()));
     with_fragment(&link.unwrap_or_default())
@@ -267,18 +267,24 @@ impl App {
     fn open_address(&mut self) {
         load_studio(&wanted());
         let fragment = fragment();
-        let asked = asked_figure(&fragment);
-        if let Some(gallery) = &self.gallery {
+        if let Some(gallery) = self.gallery.take() {
             self.bookmark = gallery.bookmark();
-        }
-        if self.gallery.take().is_some() || asked.is_some() {
-            // The figures are drawn on the page's stage.
             self.stage.forget();
         }
-        if let Some(number) = asked {
-            self.gallery = Some(Gallery::open(number, &self.page.link(), &self.bookmark));
-        }
+        self.open_gallery(&fragment);
         self.hear(Event::OpenLink(fragment));
+    }
+
+    /// Opens the figures or a series if the fragment of the address asks for them.
+    fn open_gallery(&mut self, fragment: &str) {
+        if let Some((view, asked)) = asked_view(fragment) {
+            // It is drawn on the page's stage.
+            self.stage.forget();
+            if !view.is_of_figures() {
+                load_studio("pictures");
+            }
+            self.gallery = Some(Gallery::open(view, asked, &self.page.link(), &self.bookmark));
+        }
     }
 
     fn hear_figures(&mut self, event: gallery::Event) {

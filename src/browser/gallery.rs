@@ -1,4 +1,4 @@
-//! The figures of the thesis: one row of pictures each. The row that the reader looks at grows and is
+//! The figures of the thesis and series: rows of pictures. The row that the reader looks at grows and is
 //! drawn on the page's one stage, picture by picture, and copied from there; the other rows keep
 //! their last pictures.
 
@@ -14,11 +14,12 @@ use super::stage::Stage;
 use super::typing::set_value;
 use crate::draw::DrawError;
 use crate::plants;
-use crate::play::figures::{FIGURES, Figure};
+use crate::play::figures::Figure;
 use crate::play::gallery::{self, Days, Event, Row};
 use crate::play::page::{Effect, State};
+use crate::play::series::View;
 use crate::play::{Scene, link, words};
-use crate::tissue::Recipe;
+use crate::tissue::{DayCount, Recipe};
 use wasm_bindgen::JsCast;
 use web_sys::{
     CanvasRenderingContext2d, Element, HtmlCanvasElement, HtmlElement, HtmlInputElement,
@@ -26,6 +27,8 @@ use web_sys::{
 
 /// Workers at most: each holds a body, and more than a row has growths are of no use.
 const MOST_WORKERS: usize = 4;
+/// The side of each of two pictures; those of more are as the document has them.
+const LARGE_PX: u32 = 960;
 /// Milliseconds that the scroll must rest before the row in the middle grows: rows that fly by do not.
 const REST_MS: f64 = 250.0;
 /// Milliseconds of drawing in a frame, after which the other pictures wait for the next one.
@@ -74,26 +77,31 @@ struct PictureView {
 }
 
 impl Gallery {
-    /// Opens the figures at one of them, or where the reader has been. `back` is the link of the plant to
-    /// go back to.
-    pub fn open(number: &str, back: &str, bookmark: &Bookmark) -> Gallery {
+    /// Opens a view at what is asked for of it, or where the reader has been. `back` is the link of the plant
+    /// to go back to.
+    pub fn open(view: &View, asked_for: &str, back: &str, bookmark: &Bookmark) -> Gallery {
         let cores = window().navigator().hardware_concurrency() as usize;
         let root: HtmlElement = find("figures");
         let list: HtmlElement = find("figure-list");
         list.set_text_content(None);
-        let rows: Vec<RowView> = FIGURES.iter().map(|figure| RowView::new(&list, figure)).collect();
+        let of_figures = view.is_of_figures();
+        let rows = view.rows(asked_for.to_string().leak());
+        let rows: Vec<RowView> =
+            rows.into_iter().map(|figure| RowView::new(&list, figure, of_figures)).collect();
+        set_text(&find("figures-title"), view.title);
         set_attribute(&find::<Element>("from-figures"), "href", with_fragment(back));
         set_flag(&root, "hidden", false);
-        show_view(true);
+        show_view(view.key);
         // One core is for the page.
         let count = cores.saturating_sub(1).clamp(1, MOST_WORKERS);
         let workers = (0..count).map(|_| None).collect();
-        let asked = rows.iter().find(|row| row.figure.number == number);
-        let comes_back = asked.is_none() || number == bookmark.asked;
+        let asked = rows.iter().find(|row| row.figure.number == asked_for);
+        let comes_back = asked.is_none() || asked_for == bookmark.asked;
         // Scrolled by hand: to scroll a row into view would scroll the page around it, too.
         root.set_scroll_top(match asked {
-            Some(row) if !comes_back => row.element.offset_top(),
-            _ => bookmark.scroll_px,
+            Some(row) if of_figures && !comes_back => row.element.offset_top(),
+            _ if of_figures => bookmark.scroll_px,
+            _ => 0,
         });
         // The keys that scroll are to work at once.
         let _ = root.focus();
@@ -104,8 +112,8 @@ impl Gallery {
                 row.tell_day(day);
             }
         }
-        document().set_title("Figures · Clonal Mosaic");
-        let (rests_ms, state, asked) = (Some(0.0), State::Loading, number.to_string());
+        document().set_title(&format!("{} · Clonal Mosaic", view.title));
+        let (rests_ms, state, asked) = (Some(0.0), State::Loading, asked_for.to_string());
         Gallery { brain, workers, root, rows, rests_ms, state, asked, _scroll: scroll }
     }
 
@@ -209,6 +217,12 @@ impl Gallery {
                 told += ". This graphics card cannot hold so many: a still picture.";
             }
             set_text(&picture.told, &told);
+            let DayCount { cells, by_type: [f, b, m] } = shown.facts.count;
+            set_attribute(
+                &picture.element,
+                "data-count",
+                format!("{} {cells} {f} {b} {m}", shown.day),
+            );
         }
         self.state = row.state(|shown, k| {
             stage.is_still() || view.pictures[k].drawn == Some((shown.generation, shown.day))
@@ -220,7 +234,7 @@ impl Gallery {
 impl Drop for Gallery {
     fn drop(&mut self) {
         set_flag(&self.root, "hidden", true);
-        show_view(false);
+        show_view("plant");
         // Until the plant is there and says what it is.
         document().set_title("Clonal Mosaic");
         // The next key goes on from where the visitor came from.
@@ -229,12 +243,16 @@ impl Drop for Gallery {
 }
 
 impl RowView {
-    fn new(list: &Element, figure: &'static Figure) -> RowView {
+    fn new(list: &Element, figure: &'static Figure, of_figures: bool) -> RowView {
         let element = copy_of_template("figure-template");
-        set_attribute(&element, "id", format!("figure-{}", figure.number));
         let number: Element = within(&element, ".number");
-        set_text(&number, figure.number);
-        set_attribute(&number, "href", with_fragment(&format!("figures/{}", figure.number)));
+        if of_figures {
+            set_attribute(&element, "id", format!("figure-{}", figure.number));
+            set_text(&number, figure.number);
+            set_attribute(&number, "href", with_fragment(&format!("figures/{}", figure.number)));
+        } else {
+            number.remove();
+        }
         set_text(&within(&element, ".title"), figure.title);
         set_text(&within(&element, ".figure-caption"), figure.caption);
         let scene = |k: usize| link::read(figure.pictures[k].link, plants::all()).scene;
@@ -251,10 +269,18 @@ impl RowView {
             let label: Element = within(&tile, ".label");
             set_text(&label, picture.label);
             let still: Element = within(&tile, "img");
-            listeners.push(mark_when_missing(&still));
-            let path = format!("posters/{}.avif", figure.poster(k));
-            set_attribute(&still, "src", files::address(&path));
+            if of_figures {
+                listeners.push(mark_when_missing(&still));
+                let path = format!("posters/{}.avif", figure.poster(k));
+                set_attribute(&still, "src", files::address(&path));
+            } else {
+                still.remove();
+            }
             let canvas: HtmlCanvasElement = within(&tile, "canvas");
+            if figure.pictures.len() == 2 {
+                canvas.set_width(LARGE_PX);
+                canvas.set_height(LARGE_PX);
+            }
             let _ = row.append_child(&tile);
             let pen = canvas.get_context("2d").ok().flatten().expect("browsers draw in 2D");
             let told = within(&tile, ".told");
@@ -304,12 +330,12 @@ fn start_worker(number: usize) -> Result<Mail, String> {
     })
 }
 
-/// Shows the figures in the place of the playground, or the other way round.
-fn show_view(figures: bool) {
+/// Shows a view in the place of the plant, or the other way round.
+fn show_view(key: &str) {
     if let Some(root) = document().document_element() {
-        set_attribute(&root, "data-view", if figures { "figures" } else { "plant" });
+        set_attribute(&root, "data-view", key);
     }
-    set_flag(&find::<Element>("playground"), "inert", figures);
+    set_flag(&find::<Element>("playground"), "inert", key != "plant");
 }
 
 fn now_ms() -> f64 {

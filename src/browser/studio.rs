@@ -5,6 +5,7 @@
 mod charts;
 mod files;
 mod picture;
+mod series;
 mod subject;
 mod take_away;
 mod work;
@@ -13,6 +14,7 @@ mod worker;
 use super::address::wanted;
 use super::dom::{document, find, on, set_attribute, window};
 use charts::ChartView;
+use series::Series;
 use std::cell::RefCell;
 use take_away::TakeAway;
 use wasm_bindgen::JsCast;
@@ -27,6 +29,7 @@ thread_local! {
 struct Studio {
     take_away: TakeAway,
     charts: ChartView,
+    series: Series,
 }
 
 /// Puts the studio into the page, and opens what was wanted when it was loaded.
@@ -34,9 +37,11 @@ pub fn start() {
     wear(include_str!("studio/studio.css"));
     let body = document().body().expect("a page has a body");
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
+    let _ = body.insert_adjacent_html("beforeend", include_str!("studio/series.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
-    STUDIO.set(Some(Studio { take_away: TakeAway::new(), charts: ChartView::new() }));
+    let (take_away, charts, series) = (TakeAway::new(), ChartView::new(), Series::new());
+    STUDIO.set(Some(Studio { take_away, charts, series }));
     // They are there as long as the page is.
     std::mem::forget(on(&find::<Element>("studio"), "click", |event: Event| {
         if let Some(door) = event.target() {
@@ -51,6 +56,8 @@ pub fn start() {
     }
     set_attribute(&root, "data-studio", "here");
     follow();
+    // Pictures that were there before.
+    with(|studio| studio.series.sum_up());
 }
 
 /// Opens what a button of the page is for.
@@ -58,6 +65,7 @@ fn open(door: &str) {
     with(|studio| match door {
         "take-away" => studio.take_away.open(),
         "charts" => studio.charts.toggle(),
+        "series" => studio.series.open(),
         // What was dropped is heard of by itself.
         _ => {}
     });

@@ -6,6 +6,7 @@ use super::typing::{self, set_value};
 use crate::play::link::DAY;
 use crate::play::page::{Event, Page};
 use crate::play::playhead::SPEEDS;
+use crate::surface::decimal;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlInputElement, HtmlSelectElement, KeyboardEvent};
 
@@ -50,7 +51,7 @@ impl Timeline {
         }
         let chosen = speed.clone();
         listeners.push(on(&speed, "change", move |_: web_sys::Event| {
-            if let Ok(speed) = chosen.value().parse() {
+            if let Some(speed) = decimal(&chosen.value()) {
                 app::send(Event::Speed(speed));
             }
         }));

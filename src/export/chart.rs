@@ -15,6 +15,8 @@ pub struct Chart {
     pub band: Option<Band>,
     /// Whether the values are shares, 0 to 1.
     pub is_share: bool,
+    /// The value at the foot of the frame.
+    pub foot: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -23,6 +25,8 @@ pub struct Line {
     /// As SVG has it; `currentColor` is that of the text.
     pub colour: String,
     pub is_dashed: bool,
+    /// Whether each value stands by itself.
+    pub is_dots: bool,
     pub values: Vec<f64>,
 }
 
@@ -70,6 +74,17 @@ impl Chart {
                 .map(|k| self.point(k, line.values[k], top))
                 .map(|[x, y]| format!("{x:.1},{y:.1}"))
                 .collect();
+            if line.is_dots {
+                for point in &points {
+                    let (x, y) = point.split_once(',').unwrap_or_default();
+                    let _ = write!(
+                        svg,
+                        "<circle cx=\"{x}\" cy=\"{y}\" r=\"3.5\" fill=\"{}\" stroke=\"currentColor\"/>",
+                        line.colour
+                    );
+                }
+                continue;
+            }
             let dashes = if line.is_dashed { " stroke-dasharray=\"5 4\"" } else { "" };
             // A dark rim: pale colours are seen on pale paper too.
             for (colour, width) in [("currentColor", 3.5), (&*line.colour, 2.0)] {
@@ -82,7 +97,7 @@ impl Chart {
             }
         }
         if let Some(k) = marked.filter(|&k| k < self.places.len()) {
-            let ([x, foot], [_, head]) = (self.point(k, 0.0, top), self.point(k, top, top));
+            let ([x, foot], [_, head]) = (self.point(k, self.foot, top), self.point(k, top, top));
             let _ = write!(
                 svg,
                 "<path d=\"M{x:.1} {head:.1}V{foot:.1}\" stroke=\"currentColor\" stroke-width=\"1\"/>"
@@ -156,15 +171,15 @@ impl Chart {
         let values = self.lines.iter().flat_map(|line| line.values.iter().copied());
         let ends = self.band.iter().flat_map(|band| band.ends.iter().map(|ends| ends[1]));
         let most = values.chain(ends).filter(|value| value.is_finite()).fold(0.0, f64::max);
-        let step = step(most);
-        (most / step).ceil().max(1.0) * step
+        let step = step(most - self.foot);
+        self.foot + ((most - self.foot) / step).ceil().max(1.0) * step
     }
 
     fn draw_axes(&self, top: f64, svg: &mut String) {
-        let step = step(top);
+        let step = step(top - self.foot);
         let (left, right) = (MARGIN[0], SIZE[0] - MARGIN[2]);
-        for mark in 0..=(top / step).round() as usize {
-            let value = mark as f64 * step;
+        for mark in 0..=((top - self.foot) / step).round() as usize {
+            let value = self.foot + mark as f64 * step;
             let [_, y] = self.point(0, value, top);
             let _ = write!(
                 svg,
@@ -177,7 +192,7 @@ impl Chart {
         }
         let every = self.places.len().div_ceil(8).max(1);
         for (k, place) in self.places.iter().enumerate().step_by(every) {
-            let [x, foot] = self.point(k, 0.0, top);
+            let [x, foot] = self.point(k, self.foot, top);
             let _ = write!(
                 svg,
                 "<text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\" fill=\"currentColor\">{}</text>",
@@ -191,7 +206,8 @@ impl Chart {
         let [left, above, right, below] = MARGIN;
         let last = self.places.len().saturating_sub(1).max(1);
         let x = left + (SIZE[0] - left - right) * k as f64 / last as f64;
-        let y = SIZE[1] - below - (SIZE[1] - above - below) * value / top;
+        let y =
+            SIZE[1] - below - (SIZE[1] - above - below) * (value - self.foot) / (top - self.foot);
         [x, y]
     }
 
@@ -206,7 +222,7 @@ impl Chart {
 }
 
 /// A step of 1, 2 or 5 times a power of ten that goes a few times into a number.
-fn step(most: f64) -> f64 {
+pub(super) fn step(most: f64) -> f64 {
     let rough = if most > 0.0 { most / MARKS } else { 1.0 };
     let power = libm::pow(10.0, libm::log10(rough).floor());
     [1.0, 2.0, 5.0, 10.0]
@@ -250,6 +266,7 @@ mod tests {
                 name: "all".into(),
                 colour: "currentColor".into(),
                 is_dashed: false,
+                is_dots: false,
                 values: (0..=20).map(|day| 100.0 * f64::from(day)).collect(),
             }],
             band: Some(Band {
@@ -259,6 +276,7 @@ mod tests {
                     .collect(),
             }),
             is_share: false,
+            foot: 0.0,
         }
     }
 

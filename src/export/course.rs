@@ -6,7 +6,7 @@ use crate::plants::{Look, Plant};
 use crate::tissue::{CLAN_STEPS, CellType};
 
 /// Standard deviations to each side of the mean that hold 95 of 100 growths.
-const DEVIATIONS: f64 = 1.96;
+pub(super) const DEVIATIONS: f64 = 1.96;
 
 /// The charts over the days of a growth of a plant, in the colours of a look: its cells against the exact
 /// expectation, the shares of its types by number and by area, its patches, and the largest of them.
@@ -19,6 +19,7 @@ pub fn the_course(plant: &Plant, look: &Look, days: &[DayNumbers]) -> Vec<Chart>
         lines,
         band: None,
         is_share,
+        foot: 0.0,
     };
     let told: Vec<CellType> = [CellType::Foreground, CellType::Middle]
         .into_iter()
@@ -29,6 +30,7 @@ pub fn the_course(plant: &Plant, look: &Look, days: &[DayNumbers]) -> Vec<Chart>
             name: [plant.colour_names[kind as usize], how].join(" ").trim_end().to_string(),
             colour: colour(look, kind),
             is_dashed,
+            is_dots: false,
             values: days.iter().map(value).collect(),
         };
     let of_each = |how: &str, value: &dyn Fn(&DayNumbers, usize) -> f64| -> Vec<Line> {
@@ -70,6 +72,7 @@ pub fn sizes_of_clans(day: &DayNumbers) -> Chart {
         name: "of all clans".into(),
         colour: "currentColor".into(),
         is_dashed: false,
+        is_dots: false,
         values: day.clans.map(|clans| share(f64::from(clans))).to_vec(),
     }];
     if let Some(expected) = day.expected_clans {
@@ -78,6 +81,7 @@ pub fn sizes_of_clans(day: &DayNumbers) -> Chart {
             name: "exact law".into(),
             colour: EXPECTED.into(),
             is_dashed: true,
+            is_dots: false,
             values,
         });
     }
@@ -88,11 +92,12 @@ pub fn sizes_of_clans(day: &DayNumbers) -> Chart {
         lines,
         band: None,
         is_share: true,
+        foot: 0.0,
     }
 }
 
 /// The colour of what is to be expected.
-const EXPECTED: &str = "#b4530f";
+pub(super) const EXPECTED: &str = "#b4530f";
 
 fn cells(days: &[DayNumbers]) -> Vec<Line> {
     let all = days.iter().map(|day| f64::from(day.pattern.count.cells));
@@ -100,6 +105,7 @@ fn cells(days: &[DayNumbers]) -> Vec<Line> {
         name: "all".into(),
         colour: "currentColor".into(),
         is_dashed: false,
+        is_dots: false,
         values: all.collect(),
     }];
     let expected: Vec<f64> =
@@ -109,6 +115,7 @@ fn cells(days: &[DayNumbers]) -> Vec<Line> {
             name: "expected".into(),
             colour: EXPECTED.into(),
             is_dashed: true,
+            is_dots: false,
             values: expected,
         });
     }
@@ -131,7 +138,7 @@ fn band(days: &[DayNumbers]) -> Option<Band> {
     is_known.then(|| Band { name: "95 in 100 individuals".into(), ends })
 }
 
-fn colour(look: &Look, kind: CellType) -> String {
+pub(super) fn colour(look: &Look, kind: CellType) -> String {
     let [r, g, b] = look.cells[kind as usize].map(|part| (part * 255.0).round() as u8);
     format!("#{r:02x}{g:02x}{b:02x}")
 }

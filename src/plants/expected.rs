@@ -4,6 +4,7 @@ use super::Plant;
 use crate::surface::Mesh;
 use crate::tissue::{
     CLAN_STEPS, CellType, Control, Diary, Expected, Recipe, Use, clan_sizes, expected_cells,
+    expected_individuals,
 };
 use std::collections::BTreeMap;
 
@@ -27,6 +28,17 @@ impl Plant {
             all.variance += of_age.variance;
         }
         Some(all)
+    }
+
+    /// The cells of each type and all cells of a day over all individuals of a recipe; see [`expected_individuals`].
+    /// None too where parts unfold one after the other.
+    pub fn expected_individuals(
+        &self,
+        recipe: &Recipe,
+        day: u32,
+    ) -> Option<([Expected; 3], Expected)> {
+        let at_once = self.motion.unfolding_days.iter().all(|&day| day == 0);
+        at_once.then(|| expected_individuals(recipe, &self.controls(), day as usize)).flatten()
     }
 
     /// How many clans of each step of sizes (see [`clan_sizes`]) to expect on such a day, in the mean. None where

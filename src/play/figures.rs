@@ -217,13 +217,6 @@ pub fn showing(scene: &Scene) -> Option<&'static Figure> {
     FIGURES.iter().find(|figure| figure.pictures.iter().any(is_shown))
 }
 
-/// The number of the figure that the fragment of an address asks for, empty for the first; None if
-/// it asks for a plant.
-pub fn asked_figure(fragment: &str) -> Option<&str> {
-    let rest = fragment.trim_start_matches('#').strip_prefix("figures")?;
-    if rest.is_empty() { Some("") } else { rest.strip_prefix('/') }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -331,12 +324,5 @@ mod tests {
                 |figure: &&Figure| figure.pictures.iter().any(|p| scene(p).plant.key == plant.key);
             assert!(FIGURES.iter().any(|f| shown(&f)), "{}", plant.key);
         }
-    }
-
-    #[test]
-    fn an_address_asks_for_figures_or_a_plant() {
-        let asked =
-            ["#figures", "figures/4.8", "#", "#croton?v=1", "#figuresque"].map(asked_figure);
-        assert_eq!(asked, [Some(""), Some("4.8"), None, None, None]);
     }
 }

@@ -12,6 +12,8 @@ use super::{End, Run, Scene, link, words};
 use crate::mosaic::SiteLists;
 use crate::plants::Plant;
 
+/// Of so many pictures all days are held.
+const ALL_DAYS_OF: usize = 12;
 /// A growth that was lost with so many workers is not begun again.
 const MOST_LOSSES: usize = 2;
 
@@ -106,9 +108,12 @@ impl Gallery {
             Event::WorkerLost(number, why) => self.lose(number, why, &mut effects),
             Event::Mesh { name, text } => {
                 let news = self.meshes.take(name, text);
-                let row = self.row.as_mut().filter(|row| row.plant().body.mesh.name == name);
-                if let (Some(Err(why)), Some(row)) = (news, row) {
-                    row.give_up(words::no_mesh(row.plant(), &why));
+                let is_wanted = |run: &&mut Run| run.scene.plant.body.mesh.name == name;
+                if let (Some(Err(why)), Some(row)) = (news, &mut self.row) {
+                    for run in row.runs.iter_mut().filter(is_wanted) {
+                        run.end = Some(End::Failed);
+                        row.trouble = Some(words::no_mesh(run.scene.plant, &why));
+                    }
                 }
             }
         }
@@ -151,14 +156,16 @@ impl Gallery {
         row.day = day.min(row.last_day());
         self.days.retain(|(number, _)| *number != row.figure.number);
         self.days.push((row.figure.number, row.day));
-        if self.meshes.has_failed(row.plant().body.mesh.name) {
+        let has_failed = |run: &&mut Run| self.meshes.has_failed(run.scene.plant.body.mesh.name);
+        for run in row.runs.iter_mut().filter(has_failed) {
             row.trouble = None;
-            row.runs.iter_mut().for_each(|run| run.end = None);
+            run.end = None;
         }
     }
 
     fn listen(&mut self, number: usize, answer: ToPage, effects: &mut Vec<(usize, Effect)>) {
         let Some(hand) = self.hands.get_mut(number) else { return };
+        let apart = self.row.as_ref().map_or(1, Row::days_apart);
         let runs = self.row.as_mut().map(|row| &mut row.runs[..]).unwrap_or_default();
         match answer {
             ToPage::Hello { build } if build != BUILD => effects.push((number, Effect::Reload)),
@@ -168,7 +175,11 @@ impl Gallery {
                 let run = runs.iter_mut().find(|run| run.generation == news.generation);
                 let Some(run) = run else { return };
                 let is_last = news.day >= run.scene.day;
+                let before = news.day.checked_sub(1).filter(|day| day % apart != 0);
                 run.add(news);
+                if let Some(before) = before {
+                    run.forget_lists(before);
+                }
                 if is_last {
                     hand.grows = None;
                     effects.push((number, Effect::Post(ToWorker::Stop)));
@@ -240,12 +251,19 @@ impl Row {
         self.pictures.iter().map(|picture| picture.day).max().unwrap_or(0)
     }
 
+    /// Of more pictures than a dozen only every second, third day and so on is held, and the newest: sixty
+    /// take no more room than twelve.
+    fn days_apart(&self) -> u32 {
+        self.pictures.len().div_ceil(ALL_DAYS_OF) as u32
+    }
+
     /// What a picture shows now: the wished day, or the nearest one before it that has grown.
     pub fn shown(&self, picture: usize) -> Option<ShownPicture<'_>> {
         let scene = &self.pictures[picture];
         let run = self.run(picture)?;
         let day = self.day.min(scene.day).min(run.newest()?);
-        let (facts, lists) = (run.facts(day)?, run.lists(day)?);
+        let (day, lists) = (0..=day).rev().find_map(|day| Some((day, run.lists(day)?)))?;
+        let facts = run.facts(day)?;
         Some(ShownPicture { scene, generation: run.generation, day, facts, lists })
     }
 
@@ -297,10 +315,6 @@ impl Row {
             }
         }
         all
-    }
-
-    fn plant(&self) -> &'static Plant {
-        self.pictures[0].plant
     }
 
     /// A growth of this row cannot go on, if it is one of this row.

@@ -22,6 +22,7 @@ pub mod playhead;
 pub mod protocol;
 mod run;
 mod scene;
+pub mod series;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]

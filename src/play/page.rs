@@ -7,7 +7,6 @@ mod growing;
 mod told;
 
 use super::camera::{Camera, Orbit};
-use super::figures::asked_figure;
 use super::hand::Hand;
 use super::history::{Change, History};
 use super::link::{self, DAY, INDIVIDUAL, individual};
@@ -16,6 +15,7 @@ use super::parameters::Parameter;
 use super::playhead::Playhead;
 use super::run::{End, Run};
 use super::scene::Scene;
+use super::series::asked_view;
 use super::words;
 use crate::plants::Plant;
 use cloning::InHand;
@@ -57,7 +57,7 @@ impl Page {
     /// Opens a link, or waits behind the figures if the fragment asks for those. The growth is asked
     /// for when the worker says hello.
     pub fn open(fragment: &str, plants: &'static [Plant]) -> (Page, Vec<Effect>) {
-        let is_away = asked_figure(fragment).is_some();
+        let is_away = asked_view(fragment).is_some();
         let opened = link::read(if is_away { "" } else { fragment }, plants);
         let scene = opened.scene;
         let mut page = Page {
@@ -179,7 +179,7 @@ impl Page {
     fn take(&mut self, event: Event, effects: &mut Vec<Effect>) {
         let (newest, last_day) = (self.run.newest(), self.run.last_day());
         match event {
-            Event::OpenLink(fragment) if asked_figure(&fragment).is_some() => self.leave(effects),
+            Event::OpenLink(fragment) if asked_view(&fragment).is_some() => self.leave(effects),
             Event::OpenLink(fragment) => {
                 let opened = link::read(&fragment, self.plants);
                 // The address bar holds what was typed: it is to hold what was understood.

@@ -14,7 +14,7 @@ pub struct Run {
     pub scene: Scene,
     /// What is told and what is drawn of each day, and the cell of each site; nothing of that where no clones
     /// are asked for.
-    days: Vec<(DayFacts, SiteLists, Vec<u32>)>,
+    days: Vec<(DayFacts, Option<SiteLists>, Vec<u32>)>,
     pub pedigree: Pedigree,
     knows_clones: bool,
     pub end: Option<End>,
@@ -57,7 +57,14 @@ impl Run {
                 cell_of = news.cell_of;
                 self.pedigree.add(&news.born);
             }
-            self.days.push((news.facts, news.lists, cell_of));
+            self.days.push((news.facts, Some(news.lists), cell_of));
+        }
+    }
+
+    /// Lets go of what is drawn of a day; what is told of it stays.
+    pub fn forget_lists(&mut self, day: u32) {
+        if let Some((_, lists, _)) = self.days.get_mut(day as usize) {
+            *lists = None;
         }
     }
 
@@ -79,7 +86,7 @@ impl Run {
     }
 
     pub fn lists(&self, day: u32) -> Option<&SiteLists> {
-        self.days.get(day as usize).map(|(_, lists, _)| lists)
+        self.days.get(day as usize).and_then(|(_, lists, _)| lists.as_ref())
     }
 
     /// The cell of each site of the lists of a day.

@@ -1,5 +1,7 @@
 //! Numbers as people type them.
 
+use crate::surface::decimal;
+
 /// Reads a number that was typed in a field: a decimal comma counts as a point, and in whole numbers
 /// commas and points between groups of three digits count as nothing. Not a number if it is none.
 pub fn number(text: &str, is_whole: bool) -> f64 {
@@ -16,9 +18,8 @@ pub fn number(text: &str, is_whole: bool) -> f64 {
 }
 
 /// Reads a number as links have it.
-#[inline(never)]
 pub fn plain(text: &str) -> Option<f64> {
-    text.parse::<f64>().ok().filter(|x| x.is_finite())
+    decimal(text).filter(|x| x.is_finite())
 }
 
 /// `10,000` and `1.000.000`, but not `0,125`.

@@ -66,8 +66,8 @@ impl PolygonMesh {
     /// # Errors
     /// The first line that is not well formed, or a text without faces.
     pub fn parse(text: &str) -> Result<PolygonMesh, ObjError> {
-        let (positions, mesh) = read::<f32>(text)?;
-        Ok(PolygonMesh { positions: positions.into_iter().map(Vec3::from).collect(), ..mesh })
+        let (positions, mesh) = read(text)?;
+        Ok(PolygonMesh { positions: positions.iter().map(|p| p.as_vec3()).collect(), ..mesh })
     }
 
     /// What a group is made of if it carries no cells.
@@ -77,8 +77,7 @@ impl PolygonMesh {
 
     /// As `parse`, with the positions apart and as exact as they stand in the text.
     pub(super) fn parse_exactly(text: &str) -> Result<(Vec<DVec3>, PolygonMesh), ObjError> {
-        let (positions, mesh) = read::<f64>(text)?;
-        Ok((positions.into_iter().map(DVec3::from).collect(), mesh))
+        read(text)
     }
 
     /// The mesh as an OBJ text that `parse` reads back unchanged, given that the groups stand in

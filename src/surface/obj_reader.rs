@@ -1,12 +1,11 @@
 //! OBJ text, statement by statement.
 
-use super::{Face, Group, Line, ObjError, PolygonMesh, quoted};
-use glam::Vec2;
+use super::{Face, Group, Line, ObjError, PolygonMesh, decimal, quoted};
+use glam::{DVec3, Vec2};
 use std::collections::HashMap;
-use std::str::FromStr;
 
 /// The positions of a text, and a mesh without them: what `PolygonMesh::parse` says.
-pub(super) fn read<N: FromStr>(text: &str) -> Result<(Vec<[N; 3]>, PolygonMesh), ObjError> {
+pub(super) fn read(text: &str) -> Result<(Vec<DVec3>, PolygonMesh), ObjError> {
     let mut reader = Reader::default();
     let mut statement = String::new();
     let mut first_line = 1;
@@ -41,8 +40,9 @@ pub(super) fn read<N: FromStr>(text: &str) -> Result<(Vec<[N; 3]>, PolygonMesh),
 }
 
 /// What has been read so far.
-struct Reader<N> {
-    positions: Vec<[N; 3]>,
+#[derive(Default)]
+struct Reader {
+    positions: Vec<DVec3>,
     mesh: PolygonMesh,
     uvs: Vec<Vec2>,
     /// Position and texture coordinate of every corner that names both.
@@ -54,22 +54,7 @@ struct Reader<N> {
     farthest: (u32, usize),
 }
 
-impl<N> Default for Reader<N> {
-    fn default() -> Reader<N> {
-        Reader {
-            positions: Vec::new(),
-            mesh: PolygonMesh::default(),
-            uvs: Vec::new(),
-            corner_uvs: Vec::new(),
-            part: String::new(),
-            material: String::new(),
-            group_numbers: HashMap::new(),
-            farthest: (0, 0),
-        }
-    }
-}
-
-impl<N: FromStr> Reader<N> {
+impl Reader {
     fn read(&mut self, statement: &str, line: usize) -> Result<(), ObjError> {
         let read = self.read_words(statement, line);
         read.map_err(|what| ObjError::Line { line, what })
@@ -80,10 +65,10 @@ impl<N: FromStr> Reader<N> {
         match words.next() {
             Some("v") => {
                 let mut next = || number(words.next());
-                self.positions.push([next()?, next()?, next()?]);
+                self.positions.push(DVec3::new(next()?, next()?, next()?));
             }
             Some("vt") => {
-                let value = |word: &str| word.parse().unwrap_or(f32::NAN);
+                let value = |word: &str| decimal(word).map_or(f32::NAN, |number| number as f32);
                 let x = words.next().map_or(f32::NAN, value);
                 self.uvs.push(Vec2::new(x, words.next().map_or(0.0, value)));
             }
@@ -150,7 +135,7 @@ impl<N: FromStr> Reader<N> {
         })
     }
 
-    fn finish(self) -> Result<(Vec<[N; 3]>, PolygonMesh), ObjError> {
+    fn finish(self) -> Result<(Vec<DVec3>, PolygonMesh), ObjError> {
         let Reader { positions, mut mesh, uvs, corner_uvs, farthest: (largest, line), .. } = self;
         if mesh.faces.is_empty() {
             return Err(ObjError::NoFaces);
@@ -193,11 +178,10 @@ fn name(statement: &str) -> String {
 }
 
 /// Whatever programs write for numbers that are none (`-nan(ind)`) is NaN.
-fn number<N: FromStr>(word: Option<&str>) -> Result<N, String> {
+fn number(word: Option<&str>) -> Result<f64, String> {
     let word = word.ok_or("a number is missing")?;
     let not_one = word.trim_start_matches(['-', '+']).starts_with("nan") || word.contains(".#");
-    let number = if not_one { "nan" } else { word }.parse();
-    number.map_err(|_| {
+    decimal(if not_one { "nan" } else { word }).ok_or_else(|| {
         let comma = if word.contains(',') { ": decimals need a point" } else { "" };
         format!("{} is not a number{comma}", quoted(word))
     })

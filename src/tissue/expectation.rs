@@ -39,6 +39,42 @@ pub fn expected_cells(
     Some(all)
 }
 
+/// The cells of each type, and all cells, of a day over all individuals of a recipe: their first cells are of the
+/// types that chance gives them. Nothing where `expected_cells` knows nothing, or where a control image decides
+/// what first cells are.
+///
+/// A first cell is of type t with chance p, and its clan then has the mean m and the variance v: so one first cell
+/// comes to `sum p m` cells in the mean, with the variance `sum p (v + m^2) - (sum p m)^2`, and first cells are
+/// independent of each other.
+pub fn expected_individuals(
+    recipe: &Recipe,
+    controls: &[Control],
+    day: usize,
+) -> Option<([Expected; 3], Expected)> {
+    if controls.iter().any(|control| matches!(control.use_as, Use::FirstCells { .. })) {
+        return None;
+    }
+    let of_one = |types: &[CellType]| {
+        let [mut mean, mut square] = [0.0; 2];
+        for &kind in types {
+            let mut first_cells = [0; 3];
+            first_cells[kind as usize] = 1;
+            let clan = expected_cells(recipe, controls, first_cells, day)?;
+            let chance = recipe.initial_probability[kind as usize];
+            mean += chance * clan.mean;
+            square += chance * (clan.variance + clan.mean * clan.mean);
+        }
+        let first_cells = f64::from(recipe.initial_cells);
+        let variance = first_cells * (square - mean * mean);
+        Some(Expected { mean: first_cells * mean, variance })
+    };
+    let mut of_types = [Expected::default(); 3];
+    for kind in CellType::ALL {
+        of_types[kind as usize] = of_one(&[kind])?;
+    }
+    Some((of_types, of_one(&CellType::ALL)?))
+}
+
 /// Bytes of a cell in the diary of each day, and of one that grows.
 const BYTES_A_DAY: f64 = 12.0;
 const BYTES_A_CELL: f64 = 200.0;
@@ -168,6 +204,26 @@ mod tests {
         let [clan] = clans(2.0, 0)[..] else { panic!("one day") };
         assert!((clan.mean - mean).abs() < 1e-12, "{clan:?}");
         assert!((clan.variance - (square - mean * mean)).abs() < 1e-12, "{clan:?}");
+    }
+
+    #[test]
+    fn individuals_vary_by_their_first_cells_and_by_their_clans() {
+        let recipe =
+            Recipe { initial_cells: 1000, initial_probability: [0.3, 0.7, 0.0], ..Recipe::DEFAULT };
+        // On day 0 there are none but first cells: a binomial law.
+        let (of_types, all) = expected_individuals(&recipe, &[], 0).unwrap();
+        assert!((of_types[0].mean - 300.0).abs() < 1e-9);
+        assert!((of_types[0].variance - 210.0).abs() < 1e-9);
+        assert!((all.mean - 1000.0).abs() < 1e-9 && all.variance.abs() < 1e-9);
+        // Where all first cells are of one type, only their clans vary.
+        let alike = Recipe { initial_probability: [1.0, 0.0, 0.0], ..recipe.clone() };
+        let (of_types, _) = expected_individuals(&alike, &[], 9).unwrap();
+        let clans = expected_cells(&alike, &[], [1000, 0, 0], 9).unwrap();
+        assert!((of_types[0].mean - clans.mean).abs() < 1e-9 * clans.mean);
+        assert!((of_types[0].variance - clans.variance).abs() < 1e-9 * clans.variance);
+        // And with children of other types nothing is known here.
+        let mutation = [[0.9, 0.1, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        assert_eq!(expected_individuals(&Recipe { mutation, ..recipe }, &[], 9), None);
     }
 
     #[test]

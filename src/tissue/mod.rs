@@ -28,7 +28,8 @@ pub(crate) use bins::{Bins, Rim};
 pub use control::{Control, Use};
 pub use diary::{Day, DayCount, Diary, Lineage};
 pub use expectation::{
-    CLAN_STEPS, Expected, clan_sizes, clan_step, clans, expected_cells, least_memory_bytes,
+    CLAN_STEPS, Expected, clan_sizes, clan_step, clans, expected_cells, expected_individuals,
+    least_memory_bytes,
 };
 pub use growth::{Growth, Progress};
 pub(crate) use lanes::{LANES, lanes, lanes_mut};

@@ -49,7 +49,18 @@ fn no_view_breaks_a_rule() {
     page.click("take-away");
     page.wait_for("the studio", "return document.getElementById('take-away-dialog').open");
     all_rules("what is taken away");
-    page.run("document.getElementById('take-away-dialog').close(); location.hash = '#figures/4.8'");
+    page.run("document.getElementById('take-away-dialog').close()");
+    page.click("series");
+    page.wait_for("the dialog", "return document.getElementById('series-dialog').open");
+    all_rules("what is asked side by side");
+    page.run("document.getElementById('series-dialog').close()");
+    for view in ["nursery/mushroom?v=1&d=1&s=1..3", "compare/mushroom?v=1&d=1/cactus?v=1&d=1"] {
+        page.run(&format!("location.hash = '#{view}'"));
+        let key = view.split('/').next().unwrap();
+        page.wait_for(key, &format!("return document.documentElement.dataset.view === '{key}'"));
+        all_rules(key);
+    }
+    page.run("location.hash = '#figures/4.8'");
     page.wait_for("the figures", "return document.documentElement.dataset.view === 'figures'");
     all_rules("the figures");
 }

@@ -31,6 +31,7 @@ mod posters;
 mod rays;
 mod reach;
 mod sameness;
+mod series;
 mod server;
 mod start;
 mod studio;

@@ -147,3 +147,15 @@ proptest! {
         prop_assert_eq!(&first, &read(&words));
     }
 }
+
+#[test]
+fn positions_are_those_that_the_standard_library_reads_as_f32() {
+    for plant in clonal_mosaic::plants::all() {
+        let words = plant.body.mesh.text.split_whitespace();
+        for word in words.filter(|word| word.contains('.')) {
+            if let Ok(number) = word.parse::<f32>() {
+                assert_eq!(clonal_mosaic::surface::decimal(word).unwrap() as f32, number, "{word}");
+            }
+        }
+    }
+}

@@ -267,18 +267,17 @@ impl Card {
             }
         };
         set_text(&self.read, &told);
-        let rows: String = self
-            .chart
-            .to_csv()
-            .lines()
-            .enumerate()
-            .map(|(row, line)| {
-                let tag = if row == 0 { "th" } else { "td" };
-                let columns: String =
-                    line.split(',').map(|word| format!("<{tag}>{word}</{tag}>")).collect();
-                format!("<tr>{columns}</tr>")
-            })
-            .collect();
-        self.table.set_inner_html(&rows);
+        self.table.set_inner_html(&table_of(&self.chart));
     }
+}
+
+/// The rows of a chart's table, as HTML.
+pub fn table_of(chart: &Chart) -> String {
+    let row = |(row, line): (usize, &str)| {
+        let tag = if row == 0 { "th" } else { "td" };
+        let columns: String =
+            line.split(',').map(|word| format!("<{tag}>{word}</{tag}>")).collect();
+        format!("<tr>{columns}</tr>")
+    };
+    chart.to_csv().lines().enumerate().map(row).collect()
 }

@@ -1,0 +1,120 @@
+//! Several plants side by side: a nursery, a number in steps, two plants.
+
+use crate::engines::Graphics;
+use crate::page::Page;
+use clonal_mosaic::export::{Grown, nursery};
+use clonal_mosaic::plants;
+use clonal_mosaic::play::{link, words};
+use clonal_mosaic::tissue::Progress;
+use std::sync::Arc;
+
+/// A picture of a series as it grows natively.
+fn natively(link: &str) -> Grown {
+    let scene = link::read(link, plants::all()).scene;
+    let mesh = Arc::new(scene.plant.embedded_body().surface);
+    let mut growth = scene.plant.sow(mesh, scene.recipe.clone(), scene.individual).unwrap();
+    while growth.step() != Progress::Day(scene.day) {}
+    let count = growth.diary.count(scene.day as usize);
+    Grown { scene, count }
+}
+
+/// The texts of an element of each picture.
+fn texts(page: &Page, what: &str) -> Vec<String> {
+    let script = format!(
+        "return [...document.querySelectorAll('#figure-list .picture {what}')].map(e => e.textContent)"
+    );
+    serde_json::from_value(page.run(&script)).expect("texts")
+}
+
+fn wait_for_pictures(page: &Page, count: usize) {
+    page.wait_for(
+        "the pictures",
+        &format!(
+            "return document.querySelectorAll('#figure-list .picture[data-live]').length === {count}
+                 && document.documentElement.dataset.state === 'ready'"
+        ),
+    );
+}
+
+#[test]
+fn a_nursery_grows_its_individuals_and_tells_what_they_come_to() {
+    let Some(page) = Page::open(Graphics::Neither, "#mushroom?v=1&d=1") else { return };
+    page.run("location.hash = '#nursery/mushroom?v=1&d=2&s=3..6'");
+    page.wait_for(
+        "the view",
+        "return document.documentElement.dataset.view === 'nursery' && document.title.startsWith('Nursery')",
+    );
+    let links = [3, 4, 5, 6].map(|n| format!("mushroom?v=1&s={n}&d=2"));
+    let all: Vec<Grown> = links.iter().map(|link| natively(link)).collect();
+    let (_, told) = nursery(&all).expect("a chart");
+    page.wait_for(
+        "the sum",
+        &format!(
+            "return document.querySelector('.summary .told')?.textContent === {}",
+            serde_json::to_string(&told).unwrap()
+        ),
+    );
+    let expected = all.iter().map(|grown| {
+        let shares = words::shares(grown.scene.plant, grown.count);
+        format!("{} cells, {shares}", words::grouped(grown.count.cells))
+    });
+    assert_eq!(texts(&page, ".told"), expected.collect::<Vec<_>>());
+    assert_eq!(texts(&page, ".label"), [3, 4, 5, 6].map(|n| format!("individual {n}")));
+    assert_eq!(page.run("return document.querySelectorAll('.summary circle').length"), 4);
+    assert_eq!(page.run("return document.querySelectorAll('.summary table tr').length"), 5);
+
+    // All pictures have one clock, and each leads to its plant.
+    page.run(
+        "const day = document.querySelector('.days input');
+         day.value = 0;
+         day.dispatchEvent(new Event('input', {bubbles: true}))",
+    );
+    page.wait_for(
+        "day 0",
+        "return document.querySelector('.summary .told').textContent.includes('on day 0')",
+    );
+    page.run("document.querySelectorAll('#figure-list .picture')[2].click()");
+    let state = page.ready();
+    assert_eq!((state.plant.as_str(), state.day.as_str()), ("mushroom", "0"));
+    assert_eq!(page.run("return location.hash"), "#mushroom?v=1&s=5&d=0");
+}
+
+#[test]
+fn the_dialog_makes_steps_and_compares() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#cactus?v=1&s=2&d=1&df=20") else { return };
+    page.ready();
+    page.click("series");
+    page.wait_for("the dialog", "return document.getElementById('series-dialog')?.open === true");
+    page.run(
+        "const dialog = document.getElementById('series-dialog');
+         const number = dialog.querySelector('.number');
+         number.value = 'pf';
+         number.dispatchEvent(new Event('change'));
+         dialog.querySelector('.from').value = '0,1';
+         dialog.querySelector('.to').value = '7';
+         dialog.querySelector('[data-grow=steps]').click()",
+    );
+    let refused = page.run("return document.querySelector('#series-dialog .refusal').textContent");
+    assert!(refused.as_str().unwrap().contains("from 0 to 1"), "{refused}");
+    page.run(
+        "const dialog = document.getElementById('series-dialog');
+         dialog.querySelector('.to').value = '0.5';
+         dialog.querySelector('[data-grow=steps]').click()",
+    );
+    wait_for_pictures(&page, 5);
+    assert_eq!(
+        page.run("return location.hash"),
+        "#steps/cactus?v=1&s=2&d=1&df=20&pf=0.1,0.2,0.3,0.4,0.5"
+    );
+    page.wait_for("the curve", "return document.querySelectorAll('.summary circle').length === 5");
+
+    page.run("history.back()");
+    page.ready();
+    page.click("series");
+    page.run("document.querySelector('#series-dialog [data-grow=compare]').click()");
+    wait_for_pictures(&page, 2);
+    let hash = page.run("return location.hash");
+    assert!(hash.as_str().unwrap().starts_with("#compare/cactus?v=1&s=2&d=1&df=20/cactus?v=1"));
+    let labels = texts(&page, ".label");
+    assert!(labels[0].ends_with("20") && labels[0] != labels[1], "{labels:?}");
+}
