@@ -143,7 +143,10 @@ fn the_model_walks_through_nothing_that_has_no_order() {
 fn the_model_knows_no_clock_file_thread_browser_or_gpu() {
     let mut broken = Vec::new();
     for (path, code) in MODEL.into_iter().flat_map(room_sources) {
-        for name in OUTSIDE.into_iter().filter(|name| code.contains(name)) {
+        // The one that works with threads: the cells are the same with any number of them.
+        let may = |name: &&str| *name == "std::thread" && path.ends_with("tissue/team.rs");
+        let known = OUTSIDE.into_iter().filter(|name| code.contains(name));
+        for name in known.filter(|name| !may(name)) {
             broken.push(format!("{}: {name}", path.display()));
         }
     }
