@@ -3,6 +3,7 @@
 
 pub mod camera;
 pub mod canvases;
+pub mod classroom;
 pub mod clone;
 pub mod detail;
 mod events;
@@ -22,6 +23,7 @@ pub mod playhead;
 pub mod protocol;
 mod run;
 mod scene;
+pub mod simple;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]
