@@ -11,7 +11,7 @@ pub struct Dial {
     pub name: &'static str,
     /// What its ends are called.
     pub ends: [&'static str; 2],
-    /// What it moves. Where it stands is read off the first number that the plant has.
+    /// What it moves.
     moves: &'static [(&'static str, Law)],
 }
 
@@ -22,8 +22,8 @@ enum Law {
     Times(f64, f64),
     /// A share: its odds times so much at both ends.
     Odds(f64, f64),
-    /// From 0 to this, whatever its own is.
-    UpTo(f64),
+    /// From its own to 1.
+    ToOne,
 }
 
 /// All of them.
@@ -54,7 +54,7 @@ pub const DIALS: [Dial; 4] = [
         key: "ragged",
         name: "Raggedness of the edges",
         ends: ["clear", "ragged"],
-        moves: &[("fb", Law::UpTo(1.0)), ("fm", Law::UpTo(1.0)), ("bm", Law::UpTo(1.0))],
+        moves: &[("fb", Law::ToOne), ("fm", Law::ToOne), ("bm", Law::ToOne)],
     },
 ];
 
@@ -80,15 +80,22 @@ impl Dial {
         let known =
             self.moves.iter().filter_map(|&(key, law)| Some((Parameter::of_key(key)?, law)));
         known.filter(move |(number, law)| {
-            number.is_for(plant) && (matches!(law, Law::UpTo(_)) || number.preset(plant) != 0.0)
+            number.is_for(plant) && (matches!(law, Law::ToOne) || number.preset(plant) != 0.0)
         })
     }
 
-    /// Where it stands.
+    /// Where it stands: where its numbers would be nearest to those of the scene.
     pub fn position(&self, scene: &Scene) -> u32 {
-        let Some((number, law)) = self.moved(scene).next() else { return LAST / 2 };
-        let (own, now) = (number.preset(scene.plant), number.get(scene));
-        let off = |position: u32| (at(number, law, own, position) - now).abs();
+        let numbers: Vec<_> = self
+            .moved(scene)
+            .map(|(number, law)| (number, law, number.preset(scene.plant), number.get(scene)))
+            .collect();
+        let off = |position: u32| -> f64 {
+            let each = numbers.iter().map(|&(number, law, own, now)| {
+                (at(number, law, own, position) - now).abs() / own.max(1e-3)
+            });
+            each.sum()
+        };
         // Of equals the one in the middle: there numbers are the plant's own.
         let nearest = (0..=LAST).min_by(|&a, &b| {
             let middle = |position: u32| position.abs_diff(LAST / 2);
@@ -123,7 +130,7 @@ fn at(number: &Parameter, law: Law, own: f64, position: u32) -> f64 {
         false => libm::pow(most, 2.0 * way - 1.0),
     };
     let value = match law {
-        _ if position == LAST / 2 && !matches!(law, Law::UpTo(_)) => own,
+        _ if position == LAST / 2 && !matches!(law, Law::ToOne) => own,
         Law::Times(least, most) => own * times(least, most),
         // Of all there is no more.
         Law::Odds(..) if own >= 1.0 && way > 0.5 => own,
@@ -132,7 +139,7 @@ fn at(number: &Parameter, law: Law, own: f64, position: u32) -> f64 {
             let odds = share / (1.0 - share) * times(least, most);
             odds / (1.0 + odds)
         }
-        Law::UpTo(most) => most * way,
+        Law::ToOne => own + (1.0 - own) * way,
     };
     let [least, greatest] = number.range;
     let value = if value == own { own } else { rounded(value) };
@@ -240,7 +247,7 @@ mod tests {
         };
         for (key, low, high) in [
             ("size", "n=14000&rs=0.5", "n=4000&rs=2"),
-            ("amount", "pf=0.026", "pf=0.73"),
+            ("amount", "pf=0.023", "pf=0.7"),
             ("speed", "df=13&db=25", "df=3.8&db=7.5"),
             ("ragged", "d=15", "fb=1"),
         ] {
