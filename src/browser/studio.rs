@@ -15,7 +15,7 @@ mod take_away;
 mod work;
 mod worker;
 
-use super::address::wanted;
+use super::address::{fragment, wanted};
 use super::dom::{document, find, on, set_attribute, window};
 use charts::ChartView;
 use class::ClassDialog;
@@ -97,6 +97,8 @@ fn open(door: &str) {
 fn follow() {
     let wanted = wanted();
     let wanted = wanted.trim_start_matches('~');
+    // The figures are no plant that anything could be done with.
+    let wanted = if fragment().starts_with("#figures") { "" } else { wanted };
     let (view, of_it) = wanted.split_once('/').unwrap_or((wanted, ""));
     with(|studio| {
         studio.pupils.follow((view == pupils::VIEW).then_some(of_it));

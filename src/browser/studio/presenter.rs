@@ -114,7 +114,8 @@ impl Presenter {
             set_text(&within(&self.view, part), &told);
         }
         let cells = find::<Element>("fact-cells").text_content().unwrap_or_default();
-        set_text(&within(&self.view, ".cells"), &format!("{cells} cells"));
+        let word = if cells == "1" { "cell" } else { "cells" };
+        set_text(&within(&self.view, ".cells"), &format!("{cells} {word}"));
         let plays = find::<Element>("play").has_attribute("data-playing");
         let code: Element = within(&self.view, ".code");
         set_flag(&code, "data-moves", plays);

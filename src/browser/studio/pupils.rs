@@ -63,15 +63,13 @@ impl Pupils {
     /// Agrees with the address.
     pub fn follow(&mut self, said: Option<&str>) {
         let read = said.map(Class::read);
-        if let Some((_, left_out)) = read.as_ref().filter(|(_, left_out)| !left_out.is_empty()) {
-            super::files::tell(&format!(
-                "Unknown to this playground and left out: {}.",
-                left_out.join(", ")
-            ));
-        }
-        let class = read.map(|(class, _)| class);
+        let (class, left_out) = read.unzip();
         if class == self.class {
             return;
+        }
+        if let Some(left_out) = left_out.filter(|left_out| !left_out.is_empty()) {
+            let left_out = left_out.join(", ");
+            super::files::tell(&format!("Unknown to this playground and left out: {left_out}."));
         }
         self.class = class;
         let root = document().document_element().expect("a document has a root");
@@ -80,6 +78,14 @@ impl Pupils {
             without.extend(PARTS.iter().map(|part| part.word).filter(|part| !class.has(part)));
             if class.only.is_some() {
                 without.push("more");
+            }
+            let studio = ["charts", "take"].iter().any(|part| class.has(part));
+            let of_panel = ["plants", "individual", "show", "recipe", SIMPLE];
+            if class.only.is_some() && !studio {
+                without.push("studio");
+                if !of_panel.iter().any(|part| class.has(part)) {
+                    without.push("panel");
+                }
             }
         }
         set_attribute(&root, "data-without", without.join(" "));

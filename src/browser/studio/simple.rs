@@ -67,16 +67,31 @@ impl SimpleView {
 
     /// Agrees with the address. For a class that gets them, they stay.
     pub fn follow(&mut self, is_wanted: bool, stays: bool) {
-        set_flag(&self.view, "data-stays", stays);
+        let is_inside = self.view.has_attribute("data-stays");
+        if stays != is_inside {
+            set_flag(&self.view, "data-stays", stays);
+            let beside: Element = find(if stays { "sheet" } else { "panel" });
+            let _ = beside.insert_adjacent_element("afterend", &self.view);
+        }
         if is_wanted == self.is_open() {
             return;
         }
         self.view.set_hidden(!is_wanted);
-        if is_wanted && !stays {
-            let _ = self.view.focus();
-        }
-        if !is_wanted {
-            let _ = find::<HtmlElement>("class").focus();
+        match is_wanted {
+            // A phone has the panel in a sheet, which is drawn up for them.
+            true if stays => {
+                let sheet: HtmlElement = find("sheet");
+                let is_up = sheet.get_attribute("aria-expanded").as_deref() == Some("true");
+                if !is_up && sheet.offset_height() > 0 {
+                    sheet.click();
+                }
+            }
+            true => {
+                let _ = self.view.focus();
+            }
+            false => {
+                let _ = find::<HtmlElement>("class").focus();
+            }
         }
     }
 
