@@ -3,7 +3,7 @@
 
 use super::Scene;
 use super::parameters::{PARAMETERS, Parameter};
-use crate::tissue::mix;
+use crate::tissue::{Clock, Recipe, expected_cells, mix};
 
 /// A slider from 0 to 100. At 50, or at 0 where it only adds, the plant has its own numbers.
 pub struct Dial {
@@ -196,7 +196,24 @@ pub fn surprise(scene: &Scene, chance: u32) -> Scene {
             let _ = number.set(&mut made, rounded(share));
         }
     }
+    // Slower where it would come to the plant's limit before its last day.
+    let speed = &DIALS[2];
+    let mut position = speed.position(&made);
+    while cells(&made.recipe) > f64::from(made.recipe.max_cells) && position > 0 {
+        position = position.saturating_sub(5);
+        made = speed.turned(&made, position);
+    }
     made
+}
+
+/// About how many cells there will be on the last day, as if no child turned.
+fn cells(recipe: &Recipe) -> f64 {
+    let n = f64::from(recipe.initial_cells);
+    let first = recipe.initial_probability.map(|share| (n * share) as u32);
+    let [f, b, m] = [0, 1, 2].map(|of| std::array::from_fn(|to| f64::from(u8::from(of == to))));
+    let true_to_type = Recipe { mutation: [f, b, m], clock: Clock::Poisson, ..recipe.clone() };
+    let expected = expected_cells(&true_to_type, &[], first, recipe.days as usize);
+    expected.map_or(0.0, |expected| expected.mean)
 }
 
 #[cfg(test)]
@@ -268,6 +285,8 @@ mod tests {
                 assert_eq!(opened.scene.recipe.check(), Ok(()), "{text}");
                 assert!(!made[..k].contains(text), "{text} twice");
                 assert_eq!(opened.scene.day, scene.day);
+                let most = f64::from(scene.recipe.max_cells);
+                assert!(cells(&opened.scene.recipe) <= most, "{text}");
             }
             // What was drawn before leaves no trace.
             let twice = surprise(&surprise(&scene, 3), 4);
