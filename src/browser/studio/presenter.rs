@@ -109,7 +109,7 @@ impl Presenter {
         if !self.is_open() {
             return;
         }
-        for (part, id) in [("h2", "name"), (".number", "fact-day"), (".share", "fact-share")] {
+        for (part, id) in [("h2", "name"), (".number", "fact-day"), (".part", "fact-share")] {
             let told = find::<Element>(id).text_content().unwrap_or_default();
             set_text(&within(&self.view, part), &told);
         }
