@@ -148,7 +148,6 @@ fn numbers_to_be_found_out_are_hidden_until_the_answer() {
     page.click("another");
     page.wait("another one", |s| s.state == "ready" && s.individual != "2");
     assert!(page.link().ends_with("hide=pf,df"), "{}", page.link());
-    page.press(&["h"]);
     page.run("document.querySelector('#pupils button').click()");
     page.wait_for("the answer", "return location.hash.endsWith(',answers')");
     page.wait_for("the number", "return document.getElementById('parameter-pf').checkVisibility()");
@@ -224,6 +223,11 @@ fn on_paper_stand_the_code_and_a_page_of_numbers() {
     );
     assert!(rows.to_string().contains("0.3 share (else 0.5 share)"), "{rows}");
     page.devtools("Emulation.setEmulatedMedia", json!({ "media": "print" }));
+    // As many dots as the worst of printers has.
+    page.devtools(
+        "Emulation.setDeviceMetricsOverride",
+        json!({ "width": 794, "height": 1123, "deviceScaleFactor": 3, "mobile": false }),
+    );
     assert!(is_seen(&page, "#leaflet") && !is_seen(&page, "#playground"));
     assert!(read_code(&page, "#leaflet .qr").ends_with(LINK));
     let pdf = page.devtools("Page.printToPDF", json!({ "printBackground": false }));

@@ -3,8 +3,8 @@
 use super::{picture, subject};
 use crate::browser::dom::{document, find, on, set_attribute, window, within};
 use crate::plants;
-use crate::play::link;
 use crate::play::parameters::PARAMETERS;
+use crate::play::{link, words};
 use std::fmt::Write;
 use wasm_bindgen::JsCast;
 use web_sys::{CanvasRenderingContext2d, Element, Event, HtmlCanvasElement};
@@ -52,7 +52,7 @@ pub fn print(link: &str, address: &str, hidden: &[&str]) {
             number.key
         );
     }
-    let source = if hidden.is_empty() { plant.source } else { "" };
+    let source = if hidden.is_empty() { words::source(&scene) } else { String::new() };
     let html = format!(
         "<article id=leaflet class=leaflet><header><div><h1>{}</h1><p><i lang=la>{}</i></p>\
          <p>Individual {}, day {} of {}. {source}</p><p class=link></p></div>\
