@@ -99,3 +99,33 @@ fn too_little_memory_is_told_on_one_line() {
     assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
     assert_eq!(text(&output.stderr), "mosaic: there is not enough memory for this\n");
 }
+
+#[test]
+fn a_package_for_learning_platforms_names_all_its_files() {
+    let folder = folder("scorm");
+    fs::create_dir(folder.join("meshes")).unwrap();
+    let mut files = ["a & b.js", "index.html", "meshes/leaf.txt"];
+    for name in files {
+        fs::write(folder.join(name), name).unwrap();
+    }
+    let playground = concat!(env!("CARGO_MANIFEST_DIR"), "/playground");
+    let line =
+        format!("'{playground}' scorm-manifest \"$PWD\" >imsmanifest.xml && cat imsmanifest.xml");
+    let output = shell(&folder, &line);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let manifest = text(&output.stdout);
+    let document = roxmltree::Document::parse(&manifest).unwrap();
+    let tags = |name: &'static str| {
+        document.descendants().filter(move |node| {
+            node.has_tag_name(("http://www.imsproject.org/xsd/imscp_rootv1p1p2", name))
+        })
+    };
+    let mut named: Vec<&str> = tags("file").filter_map(|file| file.attribute("href")).collect();
+    named.sort_unstable();
+    files.sort_unstable();
+    assert_eq!(named, files);
+    let page = tags("resource").next().unwrap();
+    assert_eq!(page.attribute("href"), Some("index.html"));
+    let item = tags("item").next().unwrap();
+    assert_eq!(item.attribute("identifierref"), page.attribute("identifier"));
+}

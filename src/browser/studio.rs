@@ -3,18 +3,27 @@
 //! the page would print, a file goes out, and a scene goes back as the address.
 
 mod charts;
+mod class;
 mod files;
+mod leaflet;
 mod picture;
+mod presenter;
+mod pupils;
 mod series;
+mod simple;
 mod subject;
 mod take_away;
 mod work;
 mod worker;
 
-use super::address::wanted;
+use super::address::{fragment, wanted};
 use super::dom::{document, find, on, set_attribute, window};
 use charts::ChartView;
+use class::ClassDialog;
+use presenter::Presenter;
+use pupils::Pupils;
 use series::Series;
+use simple::SimpleView;
 use std::cell::RefCell;
 use take_away::TakeAway;
 use wasm_bindgen::JsCast;
@@ -30,18 +39,30 @@ struct Studio {
     take_away: TakeAway,
     charts: ChartView,
     series: Series,
+    class: ClassDialog,
+    presenter: Presenter,
+    pupils: Pupils,
+    simple: SimpleView,
 }
 
 /// Puts the studio into the page, and opens what was wanted when it was loaded.
 pub fn start() {
     wear(include_str!("studio/studio.css"));
+    wear(include_str!("studio/class.css"));
     let body = document().body().expect("a page has a body");
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/series.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
-    let (take_away, charts, series) = (TakeAway::new(), ChartView::new(), Series::new());
-    STUDIO.set(Some(Studio { take_away, charts, series }));
+    STUDIO.set(Some(Studio {
+        take_away: TakeAway::new(),
+        charts: ChartView::new(),
+        series: Series::new(),
+        class: ClassDialog::new(),
+        presenter: Presenter::new(),
+        pupils: Pupils::new(),
+        simple: SimpleView::new(),
+    }));
     // They are there as long as the page is.
     std::mem::forget(on(&find::<Element>("studio"), "click", |event: Event| {
         if let Some(door) = event.target() {
@@ -50,6 +71,7 @@ pub fn start() {
     }));
     std::mem::forget(on(&window(), "hashchange", |_: Event| follow()));
     files::take_what_is_dropped();
+    leaflet::print_code();
     let root = document().document_element().expect("a document has a root");
     if let Some(wanted) = root.get_attribute("data-studio") {
         open(&wanted);
@@ -60,12 +82,20 @@ pub fn start() {
     with(|studio| studio.series.sum_up());
 }
 
+impl Studio {
+    /// The simple sliders as what the page shows has them.
+    fn show_simple(&self) {
+        self.simple.show(|key| self.pupils.hide(key));
+    }
+}
+
 /// Opens what a button of the page is for.
 fn open(door: &str) {
     with(|studio| match door {
         "take-away" => studio.take_away.open(),
         "charts" => studio.charts.toggle(),
         "series" => studio.series.open(),
+        "class" => studio.class.open(),
         // What was dropped is heard of by itself.
         _ => {}
     });
@@ -75,7 +105,35 @@ fn open(door: &str) {
 fn follow() {
     let wanted = wanted();
     let wanted = wanted.trim_start_matches('~');
-    let (_view, _of_it) = wanted.split_once('/').unwrap_or((wanted, ""));
+    // The figures are no plant that anything could be done with.
+    let wanted = if fragment().starts_with("#figures") { "" } else { wanted };
+    let (view, of_it) = wanted.split_once('/').unwrap_or((wanted, ""));
+    with(|studio| {
+        studio.pupils.follow((view == pupils::VIEW).then_some(of_it));
+        let stays = studio.pupils.has_simple();
+        studio.simple.follow(view == simple::VIEW || stays, stays);
+        studio.show_simple();
+        studio.presenter.follow(view == presenter::VIEW, view);
+    });
+    name_view();
+}
+
+/// Names what of ours is open on the `<html>` element, unless the figures are there.
+fn name_view() {
+    let root = document().document_element().expect("a document has a root");
+    let now = root.get_attribute("data-view").unwrap_or_default();
+    let ours = ["presenter", "class", "simple"];
+    if now.is_empty() || now == "plant" || ours.contains(&now.as_str()) {
+        with(|studio| {
+            let view = match () {
+                () if studio.presenter.is_open() => "presenter",
+                () if studio.pupils.are_there() => "class",
+                () if studio.simple.is_open() => "simple",
+                () => "plant",
+            };
+            set_attribute(&root, "data-view", view);
+        });
+    }
 }
 
 fn with(f: impl FnOnce(&mut Studio)) {

@@ -248,7 +248,7 @@ fn shown(text: &str) -> String {
 }
 
 /// Undoes the percent signs that messengers put into addresses.
-fn decode(text: &str) -> String {
+pub fn decode(text: &str) -> String {
     let bytes = text.as_bytes();
     let mut plain = Vec::with_capacity(bytes.len());
     let mut k = 0;

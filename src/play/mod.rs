@@ -3,6 +3,7 @@
 
 pub mod camera;
 pub mod canvases;
+pub mod classroom;
 pub mod clone;
 pub mod detail;
 mod events;
@@ -23,6 +24,7 @@ pub mod protocol;
 mod run;
 mod scene;
 pub mod series;
+pub mod simple;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]

@@ -25,6 +25,7 @@ mod team;
 mod threads;
 
 pub(crate) use bins::{Bins, Rim};
+pub use chance::mix;
 pub use control::{Control, Use};
 pub use diary::{Day, DayCount, Diary, Lineage};
 pub use expectation::{

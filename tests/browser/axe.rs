@@ -60,6 +60,21 @@ fn no_view_breaks_a_rule() {
         page.wait_for(key, &format!("return document.documentElement.dataset.view === '{key}'"));
         all_rules(key);
     }
+    page.run("location.hash = '#watermelon?v=1&s=2&d=3'");
+    page.wait_for("the plant", "return document.documentElement.dataset.view === 'plant'");
+    page.click("class");
+    page.run("document.querySelector('#class-dialog details').open = true");
+    all_rules("what is for a class");
+    page.run("document.getElementById('class-dialog').close()");
+    for (beside, view) in [
+        ("present", "presenter"),
+        ("simple", "simple"),
+        ("class/only=simple,recipe,hide=pf", "class"),
+    ] {
+        page.run(&format!("location.hash = '#watermelon?v=1&s=2&d=3~{beside}'"));
+        page.wait_for(view, &format!("return document.documentElement.dataset.view === '{view}'"));
+        all_rules(view);
+    }
     page.run("location.hash = '#figures/4.8'");
     page.wait_for("the figures", "return document.documentElement.dataset.view === 'figures'");
     all_rules("the figures");

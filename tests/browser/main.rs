@@ -7,6 +7,7 @@
 
 mod axe;
 mod back;
+mod class;
 mod clones;
 mod embedding;
 mod engines;

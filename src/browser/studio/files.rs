@@ -57,7 +57,7 @@ pub fn open(file: File) {
 }
 
 /// Says it among the messages of the page, until it is dismissed.
-fn tell(text: &str) {
+pub fn tell(text: &str) {
     let Ok(item) = document().create_element("li") else { return };
     item.set_text_content(Some(text));
     let list: Element = find("message-list");

@@ -1,11 +1,11 @@
 //! The picture that the page would print, as a PNG with its link inside, and the link as a QR code.
 
-use crate::browser::dom::find;
+use crate::browser::dom::{find, set_attribute, set_flag};
 use crate::export::write_picture;
 use qrcodegen::{QrCode, QrCodeEcc};
 use std::fmt::Write;
 use wasm_bindgen::JsCast;
-use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
+use web_sys::{CanvasRenderingContext2d, Element, HtmlCanvasElement};
 
 /// The PNG of what the page has put there to be printed; None where nothing could be drawn.
 pub fn png(link: &str) -> Option<Vec<u8>> {
@@ -33,4 +33,15 @@ pub fn qr(text: &str) -> Option<(String, String)> {
     }
     let side = size + 2 * rim;
     Some((format!("0 0 {side} {side}"), path))
+}
+
+/// Draws the QR code of a text, and hides its place where the text is too long for one.
+pub fn show_qr(code: &Element, text: &str) {
+    let (view_box, path) = qr(text).unwrap_or_default();
+    set_flag(code, "hidden", path.is_empty());
+    if code.get_attribute("data-text").as_deref() != Some(text) {
+        set_attribute(code, "data-text", text);
+        set_attribute(code, "viewBox", view_box);
+        code.set_inner_html(&format!("<path d=\"{path}\"/>"));
+    }
 }

@@ -6,7 +6,8 @@ use crate::browser::files;
 use crate::plants;
 use crate::play::protocol::BUILD;
 use crate::play::{Scene, link};
-use web_sys::{Element, Event};
+use wasm_bindgen::prelude::*;
+use web_sys::{Element, Event, MutationObserver, MutationObserverInit};
 
 /// The address of what the page shows, with its link: it is asked to put into the document what it would
 /// print, which is that and the picture.
@@ -51,4 +52,25 @@ pub async fn mesh_of(scene: &Scene) -> Result<String, String> {
     let name = scene.plant.body.mesh.name;
     let path = format!("meshes/{}?build={BUILD}", name.replace(".obj", ".txt"));
     files::read_text(&files::address(&path)).await
+}
+
+/// The address of a link.
+pub fn address_of(link: &str) -> String {
+    let href = window().location().href().unwrap_or_default();
+    format!("{}#{link}", href.split('#').next().unwrap_or_default())
+}
+
+/// Does something whenever the page shows something else, as long as it is there.
+pub fn on_change(act: impl FnMut() + 'static) {
+    let changed = Closure::<dyn FnMut()>::new(act);
+    if let Ok(observer) = MutationObserver::new(changed.as_ref().unchecked_ref()) {
+        let root = document().document_element().expect("a document has a root");
+        let which = MutationObserverInit::new();
+        which.set_attributes(true);
+        let names = ["data-day", "data-state", "data-plant", "data-individual", "data-cells"];
+        let names = names.into_iter().map(JsValue::from).collect::<js_sys::Array>();
+        which.set_attribute_filter(&names);
+        let _ = observer.observe_with_options(&root, &which);
+    }
+    changed.forget();
 }

@@ -203,3 +203,21 @@ fn preset_individual_and_day_stay_short() {
         assert!(write(&Scene::preset(plant, u32::MAX)).len() < 100);
     }
 }
+
+#[test]
+fn what_machines_are_told_of_links_is_so() {
+    let told = include_str!("../../../www/llms.txt");
+    let examples: Vec<&str> = told.lines().filter_map(|line| line.strip_prefix("- #")).collect();
+    assert!(examples.len() >= 5);
+    for example in examples {
+        let opened = read(example, crate::plants::all());
+        assert_eq!(opened.left_out, [""; 0], "{example}");
+        let beside = example.split_once('~').map_or("", |(_, beside)| beside);
+        let class = crate::play::classroom::Class::read(beside.trim_start_matches("class/"));
+        assert!(["", "present", "simple"].contains(&beside) || class.1.is_empty(), "{example}");
+    }
+    for plant in crate::plants::all() {
+        assert!(told.contains(&*plant.key), "{}", plant.key);
+    }
+    assert!(told.len() < 2048);
+}
