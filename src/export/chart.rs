@@ -206,7 +206,7 @@ impl Chart {
 }
 
 /// A step of 1, 2 or 5 times a power of ten that goes a few times into a number.
-fn step(most: f64) -> f64 {
+pub(super) fn step(most: f64) -> f64 {
     let rough = if most > 0.0 { most / MARKS } else { 1.0 };
     let power = libm::pow(10.0, libm::log10(rough).floor());
     [1.0, 2.0, 5.0, 10.0]
@@ -233,7 +233,8 @@ fn trimmed(value: f64, decimals: usize) -> String {
     }
 }
 
-fn escaped(text: &str) -> String {
+/// A text as the content of an element.
+pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
 }
 
