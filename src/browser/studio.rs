@@ -4,6 +4,7 @@
 
 mod charts;
 mod files;
+mod lessons;
 mod picture;
 mod subject;
 mod take_away;
@@ -13,6 +14,7 @@ mod worker;
 use super::address::wanted;
 use super::dom::{document, find, on, set_attribute, window};
 use charts::ChartView;
+use lessons::LessonView;
 use std::cell::RefCell;
 use take_away::TakeAway;
 use wasm_bindgen::JsCast;
@@ -27,16 +29,25 @@ thread_local! {
 struct Studio {
     take_away: TakeAway,
     charts: ChartView,
+    lessons: LessonView,
 }
 
 /// Puts the studio into the page, and opens what was wanted when it was loaded.
 pub fn start() {
     wear(include_str!("studio/studio.css"));
+    wear(include_str!("studio/lessons.css"));
     let body = document().body().expect("a page has a body");
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
-    STUDIO.set(Some(Studio { take_away: TakeAway::new(), charts: ChartView::new() }));
+    let _ = panel.insert_adjacent_html("afterend", include_str!("studio/lessons.html"));
+    let sheet = "<div id=lesson-sheet class=worksheet></div>";
+    let _ = body.insert_adjacent_html("beforeend", sheet);
+    STUDIO.set(Some(Studio {
+        take_away: TakeAway::new(),
+        charts: ChartView::new(),
+        lessons: LessonView::new(),
+    }));
     // They are there as long as the page is.
     std::mem::forget(on(&find::<Element>("studio"), "click", |event: Event| {
         if let Some(door) = event.target() {
@@ -58,6 +69,7 @@ fn open(door: &str) {
     with(|studio| match door {
         "take-away" => studio.take_away.open(),
         "charts" => studio.charts.toggle(),
+        "lessons" => studio.lessons.open(),
         // What was dropped is heard of by itself.
         _ => {}
     });
@@ -67,7 +79,11 @@ fn open(door: &str) {
 fn follow() {
     let wanted = wanted();
     let wanted = wanted.trim_start_matches('~');
-    let (_view, _of_it) = wanted.split_once('/').unwrap_or((wanted, ""));
+    let (view, of_it) = wanted.split_once('/').unwrap_or((wanted, ""));
+    with(|studio| match view {
+        "lesson" => studio.lessons.follow(of_it),
+        _ => studio.lessons.leave(),
+    });
 }
 
 fn with(f: impl FnOnce(&mut Studio)) {

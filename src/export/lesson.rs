@@ -56,7 +56,8 @@ pub fn strip(grown: &Grown, said: Option<Said>, is_share: bool) -> String {
         );
     }
     for &value in &grown.values {
-        let _ = write!(svg, "<circle class=\"grown\" cx=\"{:.1}\" cy=\"{LINE}\" r=\"5\"/>", x(value));
+        let _ =
+            write!(svg, "<circle class=\"grown\" cx=\"{:.1}\" cy=\"{LINE}\" r=\"5\"/>", x(value));
     }
     if let Some(said) = said {
         let at = x(said);
@@ -122,7 +123,8 @@ fn write_task(lesson: &Lesson, answers: &Answers, (k, step): (usize, &Step), htm
             match guess {
                 Guess::Choice { choices, .. } => {
                     for (c, choice) in choices.iter().enumerate() {
-                        let mark = if answers.said(k) == Some(Said::Choice(c)) { "☒" } else { "☐" };
+                        let mark =
+                            if answers.said(k) == Some(Said::Choice(c)) { "☒" } else { "☐" };
                         let _ = write!(html, "<p>{mark} {}</p>", escaped(choice));
                     }
                 }

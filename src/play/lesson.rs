@@ -76,6 +76,8 @@ pub struct Growing {
     pub individuals: u32,
     /// What is to be expected, in the words of the lesson; empty to have it worked out where a law is known.
     pub expected: String,
+    /// What was counted in nature; empty if that is not told.
+    pub nature: String,
 }
 
 #[derive(Clone, Debug, PartialEq)]

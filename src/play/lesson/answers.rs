@@ -2,8 +2,8 @@
 
 use super::measure::{Usual, rounded};
 use super::{Guess, Kind, Lesson};
-use crate::play::link;
 use crate::plants;
+use crate::play::link;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -112,6 +112,9 @@ impl Answers {
             )),
             _ => {}
         }
+        if !growing.nature.is_empty() {
+            lines.push(("In nature", growing.nature.clone()));
+        }
         lines
     }
 
@@ -169,7 +172,8 @@ impl Answers {
             }
             let [question, said, grown, expected] = columns.map(|column| quoted(&column));
             let (title, kind) = (quoted(&lesson.title), step.word());
-            let _ = writeln!(table, "{title},{},{kind},{question},{said},{grown},{expected}", k + 1);
+            let _ =
+                writeln!(table, "{title},{},{kind},{question},{said},{grown},{expected}", k + 1);
         }
         table
     }

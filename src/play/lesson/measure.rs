@@ -1,9 +1,9 @@
 //! What is measured of a plant that has grown, and what is to be expected of it.
 
 use crate::mosaic::Pattern;
+use crate::plants::Plant;
 use crate::play::Scene;
 use crate::play::words::grouped;
-use crate::plants::Plant;
 use crate::tissue::{CellType, Clock, Diary, Lineage, clans};
 
 /// A number of a day. Shares are told in 100.
@@ -133,8 +133,10 @@ impl Measure {
 
     /// Whether the lineage of the cells decides it on a plant, wherever they lie: it can be had without moving any.
     pub fn is_of_lineage(self, scene: &Scene) -> bool {
-        let is_of_places =
-            matches!(self, Measure::Area(_) | Measure::Patches(_) | Measure::Largest(_) | Measure::Mixed);
+        let is_of_places = matches!(
+            self,
+            Measure::Area(_) | Measure::Patches(_) | Measure::Largest(_) | Measure::Mixed
+        );
         !is_of_places && scene.plant.paint.is_empty()
     }
 
@@ -170,7 +172,8 @@ impl Measure {
     pub fn usual(self, scene: &Scene) -> Option<Usual> {
         let recipe = &scene.recipe;
         let keeps = CellType::ALL.iter().all(|&t| recipe.mutation[t as usize][t as usize] == 1.0);
-        if !keeps || !scene.plant.paint.is_empty() || !scene.plant.motion.unfolding_days.is_empty() {
+        if !keeps || !scene.plant.paint.is_empty() || !scene.plant.motion.unfolding_days.is_empty()
+        {
             return None;
         }
         // Of each type the chance of a first cell to be of it, and its clan's mean and mean square.

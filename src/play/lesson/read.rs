@@ -1,8 +1,8 @@
 //! Reading a lesson's text.
 
 use super::{Growing, Guess, Kind, Lesson, Measure, Step, Student};
-use crate::play::link;
 use crate::plants;
+use crate::play::link;
 use crate::surface::quoted;
 
 /// More is no lesson but a mistake.
@@ -37,7 +37,10 @@ pub fn read(text: &str) -> Result<Lesson, LessonError> {
     read_head(&mut lesson, &lines[..head_ends])?;
     let mut rest = &lines[head_ends..];
     if rest.is_empty() {
-        return wrong(last(&lines), "there is no step yet: a step begins with a line such as [look]");
+        return wrong(
+            last(&lines),
+            "there is no step yet: a step begins with a line such as [look]",
+        );
     }
     while let Some((first, behind)) = rest.split_first() {
         let ends = behind.iter().position(|l| matches!(l.is, Is::Step(..))).unwrap_or(behind.len());
@@ -101,7 +104,8 @@ fn sorted(text: &str) -> Result<Vec<Line<'_>>, LessonError> {
         } else if raw.starts_with([' ', '\t']) && !is_apart {
             None
         } else {
-            key_of(line).map(|(key, value)| Is::Key(key, value.to_string()))
+            let goes_on = !is_apart && matches!(lines.last(), Some(Line { is: Is::Text(_), .. }));
+            key_of(line, goes_on).map(|(key, value)| Is::Key(key, value.to_string()))
         };
         match (is, lines.last_mut()) {
             (Some(is), _) => lines.push(Line { number, is }),
@@ -125,11 +129,33 @@ fn join(before: &mut String, line: &str) {
     before.push_str(line);
 }
 
-/// The key of a line and its value. A key is one word of small letters: sentences begin with a large one.
-fn key_of(line: &str) -> Option<(&str, &str)> {
+/// All words that are keys somewhere.
+const KEYS: [&str; 17] = [
+    "title",
+    "age",
+    "minutes",
+    "about",
+    "source",
+    "link",
+    "ask",
+    "choice",
+    "right",
+    "bar",
+    "number",
+    "measure",
+    "individuals",
+    "expected",
+    "nature",
+    "student",
+    "reply",
+];
+
+/// The key of a line and its value. A key is one word of small letters, for sentences begin with a large one; a
+/// line that goes on with a sentence has keys that are known alone.
+fn key_of(line: &str, goes_on: bool) -> Option<(&str, &str)> {
     let (key, value) = line.split_once(':')?;
-    let is_key = !key.is_empty() && key.len() <= 20 && key.bytes().all(|b| b.is_ascii_lowercase());
-    is_key.then(|| (key, value.trim()))
+    let is_word = !key.is_empty() && key.len() <= 20 && key.bytes().all(|b| b.is_ascii_lowercase());
+    (is_word && (!goes_on || KEYS.contains(&key))).then(|| (key, value.trim()))
 }
 
 fn read_head(lesson: &mut Lesson, lines: &[Line]) -> Result<(), LessonError> {
@@ -147,7 +173,10 @@ fn read_head(lesson: &mut Lesson, lines: &[Line]) -> Result<(), LessonError> {
                 return unknown(line.number, key, "title, age, minutes, about and source");
             }
             Is::Text(_) | Is::Step(..) => {
-                return wrong(line.number, "text belongs into a step, behind a line such as [look]");
+                return wrong(
+                    line.number,
+                    "text belongs into a step, behind a line such as [look]",
+                );
             }
         }
     }
@@ -171,7 +200,8 @@ fn read_step(first: &Line, lines: &[Line]) -> Result<Step, LessonError> {
     if title.is_empty() {
         return wrong(first.number, format!("the step needs a title behind [{word}]"));
     }
-    let mut parts = Parts { growing: Growing { individuals: 1, ..Growing::default() }, ..Parts::default() };
+    let mut parts =
+        Parts { growing: Growing { individuals: 1, ..Growing::default() }, ..Parts::default() };
     for line in lines {
         match &line.is {
             Is::Key(key, value) => parts.take(word, line.number, key, value)?,
@@ -207,16 +237,20 @@ impl Parts {
             ("predict", "number") => self.guess(line, Guess::Number { of: value })?,
             ("grow", "measure") => match Measure::of_words(&value) {
                 Some(measure) => self.growing.measure = Some(measure),
-                None => return wrong(line, format!("there is no such measure; {}", Measure::KNOWN)),
+                None => {
+                    return wrong(line, format!("there is no such measure; {}", Measure::KNOWN));
+                }
             },
             ("grow", "individuals") => match value.parse() {
                 Ok(n) if (1..=MOST_INDIVIDUALS).contains(&n) => self.growing.individuals = n,
                 _ => {
-                    let what = format!("individuals is a whole number from 1 to {MOST_INDIVIDUALS}");
+                    let what =
+                        format!("individuals is a whole number from 1 to {MOST_INDIVIDUALS}");
                     return wrong(line, what);
                 }
             },
             ("grow", "expected") => self.growing.expected = value,
+            ("grow", "nature") => self.growing.nature = value,
             ("explain", "student") => {
                 self.students.push(Student { says: value, reply: String::new() });
             }
@@ -227,7 +261,7 @@ impl Parts {
             _ => {
                 let known = match word {
                     "predict" => "link, ask, choice, right, bar and number",
-                    "grow" => "link, measure, individuals and expected",
+                    "grow" => "link, measure, individuals, expected and nature",
                     "explain" => "link, student and reply",
                     _ => "link alone",
                 };
@@ -287,7 +321,10 @@ impl Parts {
                         return wrong(line, "one choice is none: two at least");
                     }
                     if *right == usize::MAX {
-                        return wrong(line, "one of the choices is written right: in place of choice:");
+                        return wrong(
+                            line,
+                            "one of the choices is written right: in place of choice:",
+                        );
                     }
                 }
                 Kind::Predict { ask: self.ask, guess }
