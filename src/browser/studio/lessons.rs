@@ -113,9 +113,15 @@ impl LessonView {
         if let Some((lesson, _)) = self.read.get(name) {
             let (lesson, name) = (lesson.clone(), name.to_string());
             let step = step.min(lesson.steps.len() - 1);
-            self.place = Some(Place { name, lesson, step });
             // An address that names no plant of its own gets that of the step.
-            return if list::names_no_plant(&fragment()) { self.here() } else { self.show_step() };
+            let link = lesson.steps[..=step].iter().rev().find_map(|step| step.link.clone());
+            if let Some(link) = link.filter(|link| !list::names_no_plant(link))
+                && list::names_no_plant(&fragment())
+            {
+                return subject::go(&link, &format!("lesson/{name}/{}", step + 1));
+            }
+            self.place = Some(Place { name, lesson, step });
+            return self.show_step();
         }
         if name == FROM_A_FILE {
             return self.show_list("That lesson was opened from a file. Please open it again.");
@@ -177,15 +183,9 @@ impl LessonView {
     /// Goes to a step of a lesson that was read, and shows its plant.
     fn go(&mut self, name: &str, step: usize) {
         let Some((lesson, _)) = self.read.get(name) else { return };
-        let link = lesson.steps[step].link.clone().unwrap_or_else(|| fragment_link());
+        let link = lesson.steps[step].link.clone().unwrap_or_else(fragment_link);
         self.goes = true;
         subject::go(&link, &format!("lesson/{name}/{}", step + 1));
-    }
-
-    fn here(&mut self) {
-        if let Some(Place { name, step, .. }) = self.place.clone() {
-            self.go(&name, step);
-        }
     }
 
     /// Takes the prediction that stands in the form, for good.

@@ -40,14 +40,9 @@ impl LessonView {
     /// Shows what a step has grown, or begins to grow it.
     pub(super) fn grow(&mut self, place: &Place) {
         set_flag(&self.part(".outcome"), "hidden", false);
-        // Until something has grown it is above.
-        let (text, outcome): (Element, Element) = (self.part(".text"), self.part(".outcome"));
-        let _ = outcome.insert_adjacent_element("beforebegin", &text);
         if self.answers.get(&place.name).is_some_and(|a| a.grown(place.step).is_some()) {
             self.growth = None;
-            self.tell("");
-            self.show_progress(None);
-            return self.show_result(place);
+            return self.finish(place);
         }
         let is_under_way =
             self.growth.as_ref().is_some_and(|g| g.name == place.name && g.step == place.step);
@@ -136,16 +131,21 @@ impl LessonView {
         };
         let grown = Grown { values: growth.values, usual };
         self.answers.entry(place.name.clone()).or_default().grow(place.step, grown);
+        self.finish(&place);
+    }
+
+    /// Shows a step that has grown, and says for those who listen what stands there.
+    fn finish(&self, place: &Place) {
         self.show_progress(None);
-        self.show_result(&place);
+        self.show_result(place);
         let answers = self.answers.get(&place.name);
         let told = answers.map(|answers| answers.beside(&place.lesson, place.step));
-        let told: Vec<String> = told
-            .unwrap_or_default()
-            .into_iter()
-            .map(|(name, told)| format!("{name}: {told}."))
-            .collect();
-        self.tell(&if told.is_empty() { "It has grown.".to_string() } else { told.join(" ") });
+        let told = told.unwrap_or_default();
+        let told: Vec<String> =
+            told.into_iter().map(|(name, told)| format!("{name}: {told}.")).collect();
+        let is_told = !told.is_empty();
+        self.tell(&if is_told { told.join(" ") } else { "It has grown.".to_string() });
+        set_flag(&self.part(".outcome"), "data-told", is_told);
     }
 
     fn tell(&self, text: &str) {
@@ -156,7 +156,7 @@ impl LessonView {
     fn show_progress(&self, done: Option<(u32, u32)>) {
         let progress: Element = self.part(".outcome progress");
         set_flag(&progress, "hidden", done.is_none());
-        set_flag(&self.part(".outcome"), "data-grown", done.is_none());
+        set_flag(&self.part(".outcome"), "data-told", false);
         if let Some((done, all)) = done {
             if all > 0 {
                 set_attribute(&progress, "max", all);

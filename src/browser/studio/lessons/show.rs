@@ -2,7 +2,7 @@
 
 use super::list::{add, when};
 use super::{LessonView, Place, root};
-use crate::browser::dom::{document, set_attribute, set_flag, set_text, within};
+use crate::browser::dom::{set_attribute, set_flag, set_text};
 use crate::play::lesson::{Guess, Kind, Said, Student};
 use crate::play::typed;
 use wasm_bindgen::JsCast;
@@ -42,6 +42,8 @@ impl LessonView {
         {
             self.part::<Element>(part).set_text_content(None);
         }
+        let (title, text): (Element, Element) = (self.part("#lesson-title"), self.part(".text"));
+        let _ = title.insert_adjacent_element("afterend", &text);
         for part in [".guess", ".outcome"] {
             set_flag(&self.part(part), "hidden", true);
         }
@@ -53,7 +55,6 @@ impl LessonView {
         let Place { lesson, step, name } = &place;
         let (count, step_is) = (lesson.steps.len(), &lesson.steps[*step]);
         set_attribute(&root(), "data-lesson", step_is.word());
-        document().set_title(&format!("{} · {} · Clonal Mosaic", step_is.title, lesson.title));
         self.clear();
         set_text(&self.part(".where"), &format!("{} · step {} of {count}", lesson.title, step + 1));
         set_text(&self.part("#lesson-title"), &step_is.title);
@@ -212,7 +213,7 @@ impl LessonView {
             add(&text, "p", "", paragraph);
         }
         // Below what it explains.
-        let outcome: Element = within(&self.view, ".outcome");
+        let outcome: Element = self.part(".outcome");
         let _ = outcome.insert_adjacent_element("afterend", &text);
         self.lay_worksheet_out(place);
     }
