@@ -1,5 +1,6 @@
-//! Whatever a visitor brings is read, or refused in words: random files and random small meshes.
+//! Whatever a visitor brings is read, or refused in words: random files, random small meshes, random lessons.
 
+use clonal_mosaic::play::lesson;
 use clonal_mosaic::surface::{Brought, PolygonMesh};
 use clonal_mosaic::tissue::{Growth, Progress, Recipe};
 use proptest::collection::vec;
@@ -63,6 +64,77 @@ fn small_mesh() -> impl Strategy<Value = String> {
     })
 }
 
+/// A line of a lesson, nearly right.
+fn line_of_lesson() -> impl Strategy<Value = String> {
+    let begin = prop::sample::select(vec![
+        "[look]",
+        "[play]",
+        "[predict]",
+        "[grow]",
+        "[explain]",
+        "[",
+        "title:",
+        "age:",
+        "minutes:",
+        "link:",
+        "ask:",
+        "choice:",
+        "right:",
+        "bar:",
+        "number:",
+        "measure:",
+        "individuals:",
+        "expected:",
+        "student:",
+        "reply:",
+        "  ",
+        "\t",
+        "",
+        "#",
+        "é:",
+    ]);
+    let end = prop::sample::select(vec![
+        "A title",
+        "croton?v=1&d=3",
+        "#~",
+        "rose",
+        "12",
+        "-1",
+        "share F",
+        "spots",
+        "",
+        "\r",
+        "]",
+        "\u{feff}",
+        "\u{202e}",
+        "99999999999999999999",
+    ]);
+    (begin, end).prop_map(|(begin, end)| format!("{begin} {end}\n"))
+}
+
+/// Reads a lesson, and goes once through what its view does with it.
+fn go_through(text: &str) {
+    match lesson::read(text) {
+        Ok(lesson) => {
+            assert!(!lesson.steps.is_empty());
+            let mut answers = lesson::Answers::default();
+            for step in 0..lesson.steps.len() {
+                answers.say(step, lesson::Said::Choice(9));
+                answers.grow(step, lesson::Grown { values: vec![f64::NAN, -1.0], usual: None });
+                let _ = answers.beside(&lesson, step);
+                let _ = lesson::Answers::measured(&lesson, step);
+            }
+            let _ = (answers.to_text(&lesson), answers.to_csv(&lesson));
+            let _ = clonal_mosaic::export::worksheet(&lesson, &answers, "");
+        }
+        Err(error) => {
+            let told = error.to_string();
+            assert!(told.len() < 400 && !told.contains(char::is_control), "{told:?}");
+            assert!(error.line <= text.lines().count().max(1), "{told}");
+        }
+    }
+}
+
 /// Grows a few cells for two days if the bytes are a body.
 fn grow_on(bytes: &[u8]) {
     let brought = match Brought::read(bytes) {
@@ -103,5 +175,17 @@ proptest! {
     #[test]
     fn any_small_mesh_grows(text in small_mesh()) {
         grow_on(text.as_bytes());
+    }
+
+    #[test]
+    fn any_text_is_a_lesson_or_an_error(text in "\\PC*|[\\s\\[\\]:a-z]{0,200}") {
+        go_through(&text);
+        go_through(&format!("title: T\n[look] A\n{text}"));
+    }
+
+    #[test]
+    fn any_lines_are_a_lesson_or_an_error(lines in vec(line_of_lesson(), 0..30)) {
+        go_through(&lines.concat());
+        go_through(&format!("title: T\n{}", lines.concat()));
     }
 }

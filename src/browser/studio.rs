@@ -6,6 +6,7 @@ mod charts;
 mod class;
 mod files;
 mod leaflet;
+mod lessons;
 mod picture;
 mod presenter;
 mod pupils;
@@ -18,8 +19,10 @@ mod worker;
 
 use super::address::{fragment, wanted};
 use super::dom::{document, find, on, set_attribute, window};
+use crate::play::series::asked_view;
 use charts::ChartView;
 use class::ClassDialog;
+use lessons::LessonView;
 use presenter::Presenter;
 use pupils::Pupils;
 use series::Series;
@@ -43,17 +46,22 @@ struct Studio {
     presenter: Presenter,
     pupils: Pupils,
     simple: SimpleView,
+    lessons: LessonView,
 }
 
 /// Puts the studio into the page, and opens what was wanted when it was loaded.
 pub fn start() {
     wear(include_str!("studio/studio.css"));
     wear(include_str!("studio/class.css"));
+    wear(include_str!("studio/lessons.css"));
     let body = document().body().expect("a page has a body");
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/series.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
+    let _ = panel.insert_adjacent_html("afterend", include_str!("studio/lessons.html"));
+    let sheet = "<div id=lesson-sheet class=worksheet></div>";
+    let _ = body.insert_adjacent_html("beforeend", sheet);
     STUDIO.set(Some(Studio {
         take_away: TakeAway::new(),
         charts: ChartView::new(),
@@ -62,6 +70,7 @@ pub fn start() {
         presenter: Presenter::new(),
         pupils: Pupils::new(),
         simple: SimpleView::new(),
+        lessons: LessonView::new(),
     }));
     // They are there as long as the page is.
     std::mem::forget(on(&find::<Element>("studio"), "click", |event: Event| {
@@ -96,6 +105,7 @@ fn open(door: &str) {
         "charts" => studio.charts.toggle(),
         "series" => studio.series.open(),
         "class" => studio.class.open(),
+        "lessons" => studio.lessons.open(),
         // What was dropped is heard of by itself.
         _ => {}
     });
@@ -105,8 +115,8 @@ fn open(door: &str) {
 fn follow() {
     let wanted = wanted();
     let wanted = wanted.trim_start_matches('~');
-    // The figures are no plant that anything could be done with.
-    let wanted = if fragment().starts_with("#figures") { "" } else { wanted };
+    // Where several plants stand there is none that anything could be done with.
+    let wanted = if asked_view(&fragment()).is_some() { "" } else { wanted };
     let (view, of_it) = wanted.split_once('/').unwrap_or((wanted, ""));
     with(|studio| {
         studio.pupils.follow((view == pupils::VIEW).then_some(of_it));
@@ -114,6 +124,10 @@ fn follow() {
         studio.simple.follow(view == simple::VIEW || stays, stays);
         studio.show_simple();
         studio.presenter.follow(view == presenter::VIEW, view);
+        match view {
+            "lesson" => studio.lessons.follow(of_it),
+            _ => studio.lessons.leave(),
+        }
     });
     name_view();
 }

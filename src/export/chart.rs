@@ -249,7 +249,8 @@ fn trimmed(value: f64, decimals: usize) -> String {
     }
 }
 
-fn escaped(text: &str) -> String {
+/// A text as the content of an element.
+pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
 }
 

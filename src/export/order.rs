@@ -112,14 +112,19 @@ impl Order {
     /// A day that stands in the diary of the growth, in numbers. `charts` are those of the body.
     pub fn numbers(&self, charts: &mut Charts, diary: &Diary, day: usize) -> DayNumbers {
         let Scene { plant, recipe, .. } = &self.scene;
-        let painted = self.painted(diary, day);
         DayNumbers {
             day: day as u32,
-            pattern: Pattern::of(&self.mesh, charts, painted.as_ref().unwrap_or(diary), day),
+            pattern: self.pattern(charts, diary, day),
             expected: plant.expected_cells(&self.mesh, recipe, diary, day as u32),
             clans: clans(diary, day),
             expected_clans: plant.expected_clans(&self.mesh, recipe, diary, day as u32),
         }
+    }
+
+    /// The pattern of a day that stands in the diary of the growth. `charts` are those of the body.
+    pub fn pattern(&self, charts: &mut Charts, diary: &Diary, day: usize) -> Pattern {
+        let painted = self.painted(diary, day);
+        Pattern::of(&self.mesh, charts, painted.as_ref().unwrap_or(diary), day)
     }
 
     /// The body that it grows on.

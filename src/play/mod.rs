@@ -12,6 +12,7 @@ pub mod gallery;
 mod hand;
 pub mod handed;
 mod history;
+pub mod lesson;
 pub mod link;
 mod meshes;
 pub mod offline;

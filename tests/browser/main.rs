@@ -19,6 +19,7 @@ mod hosts;
 mod icons;
 mod journeys;
 mod ladder;
+mod lessons;
 mod light;
 mod losses;
 mod measure;

@@ -41,6 +41,11 @@ pub fn want(what: &str) {
     let _ = window().location().set_hash(&format!("{link}{beside}"));
 }
 
+/// Shows a scene, by its link, and does something with it: one entry of the browser's history.
+pub fn go(link: &str, what: &str) {
+    let _ = window().location().set_hash(&format!("{link}~{what}"));
+}
+
 /// The fingerprint of the day on the screen.
 pub fn fingerprint() -> String {
     let root = document().document_element();

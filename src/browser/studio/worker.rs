@@ -1,7 +1,8 @@
 //! The studio's worker: grows a scene and answers with files, or with its days in numbers.
 
-use crate::export::{Kind, Order};
+use crate::export::{Kind, Order, measured};
 use crate::plants;
+use crate::play::lesson::Measure;
 use crate::play::link;
 use crate::surface::{Charts, unpack};
 use crate::tissue::{Growth, Progress};
@@ -12,9 +13,12 @@ use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 /// The word for days in numbers, where else the word of a kind of file stands.
 pub const NUMBERS: &str = "numbers";
 
+/// The word for one number of some individuals; the name of the file is then how many and what: `12 share F`.
+pub const MEASURE: &str = "measure";
+
 /// Listens for its one wish, an array of what is wanted, the link, the packed mesh of its plant and the name of the
 /// file, and says hello before. Answers: a number, how many days have grown; a text, why it cannot be; an array, what
-/// was wanted: a text and the files, or, for numbers, the JSON of a day, and at last nothing.
+/// was wanted: a text and the files, or, for numbers, the JSON of a day, and at last nothing; for measures a number of an individual, and at last nothing.
 pub fn start_worker() {
     let hear = Closure::<dyn FnMut(MessageEvent)>::new(|message: MessageEvent| {
         let wish: Array = message.data().unchecked_into();
@@ -22,6 +26,7 @@ pub fn start_worker() {
         let [wanted, link, mesh, name] = &words[..] else { return };
         let answer = match Kind::of_word(wanted) {
             Some(kind) => take(kind, link, mesh, name),
+            None if wanted == MEASURE => measure(link, mesh, name),
             None => number(link, mesh),
         };
         match answer {
@@ -75,6 +80,20 @@ fn number(link: &str, mesh: &str) -> Result<JsValue, String> {
             return Ok(Array::new().into());
         }
     }
+}
+
+/// Grows as many individuals as are wished, and tells each one's number as it is done.
+fn measure(link: &str, mesh: &str, wish: &str) -> Result<JsValue, String> {
+    let (individuals, measure) = wish.split_once(' ').unwrap_or_default();
+    let individuals: u32 = individuals.parse().unwrap_or(1);
+    let measure = Measure::of_words(measure).ok_or("There is no such measure.")?;
+    let mut scene = link::read(link, plants::all()).scene;
+    let body = scene.plant.body.grow(&unpack(mesh)).map_err(|e| e.to_string())?;
+    for _ in 0..individuals {
+        post(&Array::of1(&measured(&scene, measure, body.clone())?.into()).into());
+        scene.individual = scene.individual.wrapping_add(1);
+    }
+    Ok(Array::new().into())
 }
 
 fn post(answer: &JsValue) {
