@@ -49,7 +49,22 @@ fn no_view_breaks_a_rule() {
     page.click("take-away");
     page.wait_for("the studio", "return document.getElementById('take-away-dialog').open");
     all_rules("what is taken away");
-    page.run("document.getElementById('take-away-dialog').close(); location.hash = '#figures/4.8'");
+    page.run("document.getElementById('take-away-dialog').close()");
+    page.run("location.hash = 'watermelon?v=1&s=2&d=3~lesson'");
+    page.wait_for(
+        "the lessons",
+        "return document.querySelectorAll('#lesson-view .lessons li').length === 8",
+    );
+    all_rules("the lessons");
+    for step in 1..=7 {
+        page.run(&format!("location.hash = 'watermelon?v=1&s=2&d=3~lesson/who-wins/{step}'"));
+        page.wait_for(
+            "a step",
+            &format!("return document.querySelector('#lesson-view .where').textContent.includes('step {step} ')"),
+        );
+        all_rules("a step of a lesson");
+    }
+    page.run("location.hash = '#figures/4.8'");
     page.wait_for("the figures", "return document.documentElement.dataset.view === 'figures'");
     all_rules("the figures");
 }
