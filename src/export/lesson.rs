@@ -115,7 +115,7 @@ fn write_task(lesson: &Lesson, answers: &Answers, (k, step): (usize, &Step), htm
     const RULE: &str = "<span class=\"rule\"></span>";
     match &step.kind {
         Kind::Look | Kind::Play => {
-            let _ = write!(html, "<p>What I saw {RULE}</p><p>{RULE}</p>");
+            let _ = write!(html, "<p>What I saw {RULE}</p><p class=\"rule\"></p>");
         }
         Kind::Predict { ask, guess } => {
             let _ = write!(html, "<p><strong>{}</strong></p>", escaped(ask));
@@ -143,7 +143,7 @@ fn write_task(lesson: &Lesson, answers: &Answers, (k, step): (usize, &Step), htm
                     let _ = write!(html, "<p>I said {told}.</p>");
                 }
             }
-            let _ = write!(html, "<p>Why I think so {RULE}</p><p>{RULE}</p>");
+            let _ = write!(html, "<p>Why I think so {RULE}</p><p class=\"rule\"></p>");
         }
         Kind::Grow(_) => {
             let measured = Answers::measured(lesson, k);
@@ -154,13 +154,13 @@ fn write_task(lesson: &Lesson, answers: &Answers, (k, step): (usize, &Step), htm
             } else if !measured.is_empty() {
                 let _ = write!(html, "<p>Grown: {RULE} {}</p>", escaped(&measured));
             }
-            let _ = write!(html, "<p>What surprised me {RULE}</p><p>{RULE}</p>");
+            let _ = write!(html, "<p>What surprised me {RULE}</p><p class=\"rule\"></p>");
         }
         Kind::Explain { students } => {
             for student in students {
                 let _ = write!(
                     html,
-                    "<p>A student says: “{}” What is right about it? {RULE}</p><p>{RULE}</p>",
+                    "<p>A student says: “{}” What is right about it? {RULE}</p><p class=\"rule\"></p>",
                     escaped(&student.says)
                 );
             }
