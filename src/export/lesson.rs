@@ -11,7 +11,7 @@ const MARGIN: f64 = 16.0;
 const LINE: f64 = 44.0;
 
 /// What was said and what grew on one line, as SVG: a dot for each individual, a pointer for what was said, and
-/// where 95 in 100 end in grey. Whoever cannot see it has the same in words beside it.
+/// where 95 in 100 end as a band. Whoever cannot see it has the same in words beside it.
 pub fn strip(grown: &Grown, said: Option<Said>, is_share: bool) -> String {
     let [width, height] = SIZE;
     let said = said.and_then(|said| match said {
@@ -31,7 +31,7 @@ pub fn strip(grown: &Grown, said: Option<Said>, is_share: bool) -> String {
     };
     let x = |value: f64| MARGIN + (width - 2.0 * MARGIN) * (value / most).clamp(0.0, 1.0);
     let mut svg = format!(
-        "<svg class=\"strip\" viewBox=\"0 0 {width} {height}\" aria-hidden=\"true\" font-size=\"11\">"
+        "<svg class=\"strip\" viewBox=\"0 0 {width} {height}\" aria-hidden=\"true\" font-size=\"13\">"
     );
     if let Some([low, high]) = ends {
         let (from, to) = (x(low), x(high));
@@ -51,7 +51,7 @@ pub fn strip(grown: &Grown, said: Option<Said>, is_share: bool) -> String {
             "<path class=\"line\" d=\"M{0:.1} {1}v5\"/><text x=\"{0:.1}\" y=\"{2}\" text-anchor=\"middle\">{3}</text>",
             x(value),
             LINE,
-            LINE + 22.0,
+            LINE + 24.0,
             short(value)
         );
     }
@@ -115,7 +115,7 @@ fn write_task(lesson: &Lesson, answers: &Answers, (k, step): (usize, &Step), htm
     const RULE: &str = "<span class=\"rule\"></span>";
     match &step.kind {
         Kind::Look | Kind::Play => {
-            let _ = write!(html, "<p>What I saw {RULE}</p><p>{RULE}</p>");
+            let _ = write!(html, "<p>What I saw {RULE}</p><p class=\"rule\"></p>");
         }
         Kind::Predict { ask, guess } => {
             let _ = write!(html, "<p><strong>{}</strong></p>", escaped(ask));
@@ -143,7 +143,7 @@ fn write_task(lesson: &Lesson, answers: &Answers, (k, step): (usize, &Step), htm
                     let _ = write!(html, "<p>I said {told}.</p>");
                 }
             }
-            let _ = write!(html, "<p>Why I think so {RULE}</p><p>{RULE}</p>");
+            let _ = write!(html, "<p>Why I think so {RULE}</p><p class=\"rule\"></p>");
         }
         Kind::Grow(_) => {
             let measured = Answers::measured(lesson, k);
@@ -154,13 +154,13 @@ fn write_task(lesson: &Lesson, answers: &Answers, (k, step): (usize, &Step), htm
             } else if !measured.is_empty() {
                 let _ = write!(html, "<p>Grown: {RULE} {}</p>", escaped(&measured));
             }
-            let _ = write!(html, "<p>What surprised me {RULE}</p><p>{RULE}</p>");
+            let _ = write!(html, "<p>What surprised me {RULE}</p><p class=\"rule\"></p>");
         }
         Kind::Explain { students } => {
             for student in students {
                 let _ = write!(
                     html,
-                    "<p>A student says: “{}” What is right about it? {RULE}</p><p>{RULE}</p>",
+                    "<p>A student says: “{}” What is right about it? {RULE}</p><p class=\"rule\"></p>",
                     escaped(&student.says)
                 );
             }

@@ -75,6 +75,20 @@ fn no_view_breaks_a_rule() {
         page.wait_for(view, &format!("return document.documentElement.dataset.view === '{view}'"));
         all_rules(view);
     }
+    page.run("location.hash = 'watermelon?v=1&s=2&d=3~lesson'");
+    page.wait_for(
+        "the lessons",
+        "return document.querySelectorAll('#lesson-view .lessons li').length === 8",
+    );
+    all_rules("the lessons");
+    for step in 1..=7 {
+        page.run(&format!("location.hash = 'watermelon?v=1&s=2&d=3~lesson/who-wins/{step}'"));
+        page.wait_for(
+            "a step",
+            &format!("return document.querySelector('#lesson-view .where').textContent.includes('step {step} ')"),
+        );
+        all_rules("a step of a lesson");
+    }
     page.run("location.hash = '#figures/4.8'");
     page.wait_for("the figures", "return document.documentElement.dataset.view === 'figures'");
     all_rules("the figures");

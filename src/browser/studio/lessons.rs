@@ -130,6 +130,12 @@ impl LessonView {
         spawn_local(async move {
             let text = list::fetch(&name).await;
             with(|studio| studio.lessons.fetched(&name, text));
+            // The address may lead elsewhere by now.
+            let mut is_there = false;
+            with(|studio| is_there = studio.lessons.read.contains_key(&name));
+            if is_there {
+                super::follow();
+            }
         });
     }
 
@@ -154,12 +160,8 @@ impl LessonView {
 
     /// A lesson that the address leads to has come.
     fn fetched(&mut self, name: &str, text: Result<String, String>) {
-        match text {
-            Ok(text) => match self.keep(name, text) {
-                Ok(()) => super::follow(),
-                Err(why) => self.show_list(&why),
-            },
-            Err(why) => self.show_list(&why),
+        if let Err(why) = text.and_then(|text| self.keep(name, text)) {
+            self.show_list(&why);
         }
     }
 

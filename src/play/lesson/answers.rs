@@ -104,7 +104,7 @@ impl Answers {
             (Some(Usual { mean, ends: [low, high] }), Some(measure)) => lines.push((
                 "Expected",
                 format!(
-                    "{} by chance alone, and between {} and {} for 95 in 100 individuals",
+                    "{} in the mean; 95 in 100 individuals lie between {} and {}",
                     measure.told(mean),
                     rounded(low),
                     rounded(high)

@@ -192,8 +192,7 @@ fn what_was_said_stands_and_is_told_beside_what_grew() {
             ("Grown", "48 in 100".to_string()),
             (
                 "Expected",
-                "50 in 100 by chance alone, and between 47 and 53 for 95 in 100 individuals"
-                    .to_string()
+                "50 in 100 in the mean; 95 in 100 individuals lie between 47 and 53".to_string()
             ),
         ]
     );
@@ -223,4 +222,24 @@ fn a_choice_is_told_with_what_turns_out() {
     assert_eq!(beside[0], ("You said", "more".to_string()));
     assert_eq!(beside[1], ("It turns out", "fewer".to_string()));
     assert_eq!(beside[2], ("Grown", "1,234".to_string()));
+}
+
+#[test]
+fn the_example_of_the_documentation_is_a_lesson() {
+    let page = include_str!("../../../docs/lessons.md");
+    let first = page.split("\n## ").next().unwrap();
+    let example: Vec<&str> = first
+        .lines()
+        .skip_while(|line| !line.starts_with("    title:"))
+        .map(|line| line.strip_prefix("    ").unwrap_or(line))
+        .collect();
+    let lesson = read(&example.join("\n")).unwrap();
+    let words: Vec<&str> = lesson.steps.iter().map(Step::word).collect();
+    assert_eq!(words, ["look", "predict", "grow", "explain"]);
+    // Each measure that it explains is one.
+    let table = page.split("| measure | what it is |").nth(1).unwrap();
+    for line in table.lines().skip(2).take_while(|line| line.starts_with('|')) {
+        let word = line.trim_start_matches("| `").split('`').next().unwrap();
+        assert!(Measure::of_words(word).is_some(), "{word}");
+    }
 }

@@ -171,7 +171,7 @@ impl LessonView {
     fn show_students(&self, students: &[Student]) {
         let list: Element = self.part(".students");
         if !students.is_empty() {
-            add(&list, "h3", "", "What others say. What is right about it?");
+            add(&list, "h3", "", "What is right about each?");
         }
         for student in students {
             let details = add(&list, "details", "", "");
@@ -200,6 +200,10 @@ impl LessonView {
             let said = asked.and_then(|asked| answers.said(asked));
             let strip = crate::export::strip(grown, said, measure.is_share());
             let _ = result.insert_adjacent_html("beforeend", &strip);
+            let dots =
+                if grown.values.len() > 1 { "A dot is an individual" } else { "The dot grew" };
+            let band = if grown.usual.is_some() { "; 95 in 100 end in the band." } else { "." };
+            add(&result, "p", "hint", &format!("{dots}{band}"));
         }
         let list = add(&result, "dl", "", "");
         for (name, told) in answers.beside(lesson, step) {
