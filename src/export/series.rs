@@ -8,6 +8,9 @@ use crate::play::parameters::{PARAMETERS, Parameter};
 use crate::play::words::grouped;
 use crate::tissue::{CellType, DayCount};
 
+/// From so many times the deviation of a lottery on, it is worth to say where that comes from.
+const EARLY: f64 = 1.2;
+
 /// A picture of a series: its scene on the day that is seen, and the cells of that day.
 #[derive(Clone, Debug)]
 pub struct Grown {
@@ -68,15 +71,22 @@ pub fn nursery(grown: &[Grown]) -> Option<(Chart, String)> {
             whole(spread)
         );
     }
-    // What a Poisson law of the same mean would give.
-    let by_lot = mean.sqrt();
+    // What a binomial law of the same mean would give.
+    let cells: u32 = sorted.iter().map(|grown| grown.count.cells).sum();
+    let share = mean * sorted.len() as f64 / f64::from(cells.max(1));
+    let by_lot = (mean * (1.0 - share)).sqrt();
     if by_lot > 0.0 {
         told += &format!(
-            " If each cell drew its colour by itself, the deviation would be about {}: a cell that is {name} \
-             early passes it on to a large family, so individuals differ {} as much.",
-            whole(by_lot),
-            times(deviation / by_lot)
+            " If each cell drew its colour by itself, the deviation would be about {}.",
+            whole(by_lot)
         );
+        if deviation > EARLY * by_lot {
+            told += &format!(
+                " A cell that is {name} early passes it on to a large family: individuals differ \
+                 {:.1} times as much.",
+                deviation / by_lot
+            );
+        }
     }
     let title = format!("{} cells of each individual", capital(name));
     // What individuals differ in fills the frame.
@@ -143,11 +153,6 @@ fn whole(value: f64) -> String {
     grouped(value.round() as u32)
 }
 
-/// A factor in words: `1.3 times`.
-fn times(factor: f64) -> String {
-    format!("{factor:.1} times")
-}
-
 fn capital(word: &str) -> String {
     let mut letters = word.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
@@ -181,6 +186,13 @@ mod tests {
         assert_eq!(chart.lines[1].values, [1000.0; 3]);
         assert!(chart.foot > 900.0 && chart.foot <= 956.0, "{}", chart.foot);
         assert!(told.contains("The exact law says 1,000 and 22"), "{told}");
+        assert!(
+            told.ends_with(
+                "the deviation would be about 22. A cell that is yellow early passes it on to \
+                               a large family: individuals differ 1.3 times as much."
+            ),
+            "{told}"
+        );
         let [low, high] = chart.band.unwrap().ends[0];
         assert!((high - low - 2.0 * 1.96 * 500.0_f64.sqrt()).abs() < 1e-6, "{low} {high}");
         assert!(nursery(&all[..2]).is_none());

@@ -217,7 +217,7 @@ fn what_machines_are_told_of_links_is_so() {
         assert!(["", "present", "simple"].contains(&beside) || class.1.is_empty(), "{example}");
     }
     for plant in crate::plants::all() {
-        assert!(told.contains(&*plant.key), "{}", plant.key);
+        assert!(told.contains(plant.key), "{}", plant.key);
     }
     assert!(told.len() < 2048);
 }
