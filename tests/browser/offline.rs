@@ -55,8 +55,17 @@ fn a_new_build_is_seen_at_once_and_the_old_one_is_forgotten() {
     assert_eq!(caches(&page).len(), 2, "the page of the old build stays whole");
 
     // With the last page of the old build it goes.
-    page.go(&format!("{}#{LINK}", server.address()));
-    page.wait_for("the old build to go", "return caches.keys().then(k => k.length === 1)");
+    // A browser that is busy may hold on to that page for a while longer.
+    let goes = "return new Promise(async told => {
+        for (let k = 0; k < 100 && (await caches.keys()).length > 1; k += 1)
+            await new Promise(go => setTimeout(go, 200));
+        told((await caches.keys()).length === 1)
+    })";
+    let gone = (0..3).any(|_| {
+        page.go(&format!("{}#{LINK}", server.address()));
+        page.run(goes) == true
+    });
+    assert!(gone, "the old build stays: {:?}", caches(&page));
     assert_ne!(caches(&page), old);
     server.go_down();
     page.go(&format!("{}#{LINK}", server.address()));
