@@ -52,14 +52,24 @@ impl View {
             return FIGURES.iter().collect();
         }
         let links: Vec<String> = rest.split('/').flat_map(several).take(MOST_PICTURES).collect();
-        let read = |link: &String| link::read(link, plants::all()).scene;
-        let scenes: Vec<Scene> = links.iter().map(read).collect();
+        let mut caption = self.caption.to_string();
+        let mut scenes: Vec<Scene> = Vec::new();
+        for opened in links.iter().map(|link| link::read(link, plants::all())) {
+            for told in opened.left_out {
+                // Most links of a series say the same.
+                if !caption.contains(&told) {
+                    caption += " ";
+                    caption += &told;
+                }
+            }
+            scenes.push(opened.scene);
+        }
         let pictures = scenes.iter().map(|scene| Picture {
             label: label(scene, &scenes).leak(),
             link: link::write(scene).leak(),
         });
         let pictures = pictures.collect::<Vec<_>>().leak();
-        let (title, caption) = (self.title, self.caption);
+        let (title, caption) = (self.title, caption.leak());
         vec![Box::leak(Box::new(Figure { number: rest, title, caption, pictures }))]
     }
 
@@ -155,6 +165,13 @@ mod tests {
         assert!(two[0].0.starts_with("Croton, ") && two[1].0.ends_with("day 20"), "{two:?}");
         let alike = pictures("compare/croton?v=1&d=3/croton?v=1&d=3");
         assert_eq!([alike[0].0, alike[1].0], ["day 3", "day 3"]);
+    }
+
+    #[test]
+    fn what_is_left_out_is_told_once() {
+        let (view, rest) = asked_view("nursery/tulip?v=1&s=1..3").expect("a view");
+        let [row] = view.rows(rest)[..] else { panic!("one row") };
+        assert_eq!(row.caption.matches("There is no plant called").count(), 1, "{}", row.caption);
     }
 
     #[test]

@@ -8,6 +8,7 @@ use crate::browser::dom::{Listener, document, find, offer, on, set_text, window,
 use crate::export::{Chart, Grown, nursery, steps};
 use crate::plants;
 use crate::play::parameters::{PARAMETERS, Parameter};
+use crate::play::typed::plain;
 use crate::play::{Scene, link};
 use crate::tissue::DayCount;
 use js_sys::{Array, Uint8Array};
@@ -99,7 +100,7 @@ impl Series {
         let name = parameter.label(scene.plant);
         let end = |part: &str| {
             let typed = within::<HtmlInputElement>(&self.dialog, part).value();
-            typed.trim().replace(',', ".").parse::<f64>().map_err(|_| {
+            plain(&typed.trim().replace(',', ".")).ok_or_else(|| {
                 format!("{name}: “{}” is no number.", typed.chars().take(20).collect::<String>())
             })
         };
@@ -216,18 +217,16 @@ impl Series {
 
 /// The link of so many individuals of a scene, from its own on.
 fn individuals(scene: &Scene, count: u32) -> String {
-    let first = scene.individual.min(u32::MAX - count);
+    let first = scene.individual.min(u32::MAX - (count - 1));
     let link = link::write(&Scene { individual: first, cell: None, ..scene.clone() });
     let last = first + count - 1;
     let range = if last > first { format!("s={first}..{last}") } else { format!("s={first}") };
     link.replacen(&format!("s={first}"), &range, 1)
 }
 
-/// A value in the steps of its slider.
+/// A value as it would be typed: in whole numbers where no others are, else with four decimals at most.
 fn rounded(parameter: &Parameter, value: f64) -> f64 {
-    let steps = (value / parameter.step).round();
-    // As it would be typed, without the last digits of a product.
-    format!("{:.6}", steps * parameter.step).parse().unwrap_or(value)
+    if parameter.is_whole() { value.round() } else { (value * 1e4).round() / 1e4 }
 }
 
 /// What a picture of the page shows, by its link and its counts.
