@@ -76,25 +76,28 @@ impl Order {
             return self.write_days(&diary);
         }
         let diary = self.painted(&diary, day).unwrap_or(diary);
+        let mesh = &*self.mesh.on(day as u32);
         let mut written = match self.kind {
-            Kind::Cells => file(|out| write_cells(&self.mesh, DVec3::ZERO, &diary, day, out)),
+            Kind::Cells => file(|out| write_cells(mesh, DVec3::ZERO, &diary, day, out)),
             Kind::Clones => {
                 let mut clones = 0;
                 let written = file(|out| {
-                    clones = write_clones(&self.mesh, &diary, day, out)?;
+                    clones = write_clones(mesh, &diary, day, out)?;
                     Ok(())
                 });
                 written.map(|written| written.told(format!("{clones} clones")))
             }
             Kind::Tile => {
-                let tile = Tile::new(&self.mesh, TILE_SIDE_CM, &self.scene.look, &diary, day);
+                let tile = Tile::new(mesh, TILE_SIDE_CM, &self.scene.look, &diary, day);
                 let written = file(|out| write_png(&tile, out));
                 written.map(|written| written.told(format!("{TILE_PX} pixels wide")))
             }
             Kind::Days => unreachable!("written above"),
             Kind::Glb | Kind::Ply | Kind::Obj | Kind::ThreeMf | Kind::Svg => {
+                let ornaments: Vec<Ornament> =
+                    self.ornaments.iter().map(|part| part.on(day as u32)).collect();
                 let (body, controls) =
-                    ((&*self.mesh, &self.ornaments[..]), self.scene.plant.controls());
+                    ((&*self.mesh, mesh, &ornaments[..]), self.scene.plant.controls());
                 let link = self.link(day);
                 let look = &self.scene.look;
                 let specimen = Specimen::new(body, look, &controls, (&diary, day), link);

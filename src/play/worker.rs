@@ -134,7 +134,7 @@ impl Ground {
         let lists = self.finder.find(&self.surface, diary, index);
         let facts = DayFacts {
             count: diary.count(index),
-            areas: lists.areas(&self.surface),
+            areas: lists.areas(&self.surface.on(day)),
             fingerprint: diary.fingerprint(index),
         };
         let (cell_of, born) = (self.finder.cell_of.clone(), Pedigree::news(diary, index));

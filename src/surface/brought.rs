@@ -58,6 +58,8 @@ impl Brought {
         let (places, mut mesh) = PolygonMesh::parse_exactly(&text)?;
         let origin = origin(&places, &mesh.faces)?;
         mesh.positions = places.iter().map(|&place| (place - origin).as_vec3()).collect();
+        // Vertices are joined and added: those of the moments would be others.
+        mesh.moments = Vec::new();
 
         let faces = std::mem::take(&mut mesh.faces);
         let (bare, patterned): (Vec<Face>, Vec<Face>) =
