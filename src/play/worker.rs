@@ -120,7 +120,7 @@ impl Worker {
         let mesh = self.meshes.iter().find(|(name, _)| name == plant.body.mesh.name);
         let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.body.mesh.name))?;
         let body =
-            plant.body.grow(text).map_err(|why| format!("{}: {why}", plant.body.mesh.name))?;
+            plant.grow_body(text).map_err(|why| format!("{}: {why}", plant.body.mesh.name))?;
         let surface = Arc::new(body.surface);
         let finder = SiteFinder::new(&surface).coloured(plant.controls());
         self.ground = Some(Ground { plant: plant.key, surface: Arc::clone(&surface), finder });

@@ -41,7 +41,7 @@ pub fn start_worker() {
 
 fn order(kind: Kind, link: &str, mesh: &str) -> Result<(Order, Growth), String> {
     let scene = link::read(link, plants::all()).scene;
-    let body = scene.plant.body.grow(&unpack(mesh)).map_err(|e| e.to_string())?;
+    let body = scene.plant.grow_body(&unpack(mesh)).map_err(|e| e.to_string())?;
     Order::new(kind, &scene, body)
 }
 
@@ -88,7 +88,7 @@ fn measure(link: &str, mesh: &str, wish: &str) -> Result<JsValue, String> {
     let individuals: u32 = individuals.parse().unwrap_or(1);
     let measure = Measure::of_words(measure).ok_or("There is no such measure.")?;
     let mut scene = link::read(link, plants::all()).scene;
-    let body = scene.plant.body.grow(&unpack(mesh)).map_err(|e| e.to_string())?;
+    let body = scene.plant.grow_body(&unpack(mesh)).map_err(|e| e.to_string())?;
     for _ in 0..individuals {
         post(&Array::of1(&measured(&scene, measure, body.clone())?.into()).into());
         scene.individual = scene.individual.wrapping_add(1);
