@@ -8,6 +8,7 @@ mod files;
 mod leaflet;
 mod lessons;
 mod picture;
+mod pictures;
 mod presenter;
 mod pupils;
 mod series;
@@ -81,6 +82,7 @@ pub fn start() {
     std::mem::forget(on(&window(), "hashchange", |_: Event| follow()));
     files::take_what_is_dropped();
     leaflet::print_code();
+    pictures::listen();
     let root = document().document_element().expect("a document has a root");
     if let Some(wanted) = root.get_attribute("data-studio") {
         open(&wanted);

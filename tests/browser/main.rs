@@ -38,5 +38,7 @@ mod server;
 mod start;
 mod studio;
 mod three_engines;
+mod told;
 mod views;
 mod webdriver;
+mod welcome;
