@@ -64,6 +64,7 @@ impl Controls {
         for (id, factor) in [("nearer", ZOOM), ("farther", 1.0 / ZOOM)] {
             listeners.push(click(id, move || app::zoom(factor, Vec2::ZERO)));
         }
+        listeners.push(click("tour", || load_studio("tour")));
         listeners.push(on(&find::<Element>("studio"), "click", |event: web_sys::Event| {
             if let Some(door) = event.target() {
                 load_studio(&door.unchecked_into::<Element>().id());

@@ -39,6 +39,7 @@ mod start;
 mod studio;
 mod three_engines;
 mod told;
+mod tour;
 mod views;
 mod webdriver;
 mod welcome;
