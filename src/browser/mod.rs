@@ -22,6 +22,8 @@ mod frames;
 #[cfg(feature = "draw")]
 mod gallery;
 #[cfg(feature = "draw")]
+mod host;
+#[cfg(feature = "draw")]
 mod keyboard;
 #[cfg(feature = "draw")]
 mod mail;
@@ -44,7 +46,11 @@ mod surroundings;
 #[cfg(feature = "draw")]
 mod timeline;
 #[cfg(feature = "draw")]
+mod turning;
+#[cfg(feature = "draw")]
 mod typing;
+#[cfg(feature = "draw")]
+mod welcome;
 #[cfg(feature = "draw")]
 mod worker;
 

@@ -8,12 +8,15 @@ mod files;
 mod leaflet;
 mod lessons;
 mod picture;
+mod pictures;
 mod presenter;
 mod pupils;
 mod series;
 mod simple;
+mod sound;
 mod subject;
 mod take_away;
+mod tour;
 mod work;
 mod worker;
 
@@ -27,8 +30,10 @@ use presenter::Presenter;
 use pupils::Pupils;
 use series::Series;
 use simple::SimpleView;
+use sound::Sound;
 use std::cell::RefCell;
 use take_away::TakeAway;
+use tour::Tour;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, Event};
 
@@ -47,6 +52,8 @@ struct Studio {
     pupils: Pupils,
     simple: SimpleView,
     lessons: LessonView,
+    sound: Sound,
+    tour: Tour,
 }
 
 /// Puts the studio into the page, and opens what was wanted when it was loaded.
@@ -71,6 +78,8 @@ pub fn start() {
         pupils: Pupils::new(),
         simple: SimpleView::new(),
         lessons: LessonView::new(),
+        sound: Sound::new(),
+        tour: Tour::new(),
     }));
     // They are there as long as the page is.
     std::mem::forget(on(&find::<Element>("studio"), "click", |event: Event| {
@@ -81,6 +90,7 @@ pub fn start() {
     std::mem::forget(on(&window(), "hashchange", |_: Event| follow()));
     files::take_what_is_dropped();
     leaflet::print_code();
+    pictures::listen();
     let root = document().document_element().expect("a document has a root");
     if let Some(wanted) = root.get_attribute("data-studio") {
         open(&wanted);
@@ -106,6 +116,7 @@ fn open(door: &str) {
         "series" => studio.series.open(),
         "class" => studio.class.open(),
         "lessons" => studio.lessons.open(),
+        "tour" => presenter::after(0, tour::open),
         // What was dropped is heard of by itself.
         _ => {}
     });

@@ -31,7 +31,7 @@ pub use chart::Chart;
 pub use course::{sizes_of_clans, the_course};
 pub use days::DayNumbers;
 pub use kind::Kind;
-pub use lesson::{strip, worksheet};
+pub use lesson::{curves, strip, worksheet};
 pub use measured::measured;
 pub use order::{Order, Written};
 pub use picture::write_picture;

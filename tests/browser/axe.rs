@@ -38,7 +38,10 @@ fn no_view_breaks_a_rule() {
     all_rules("the recipe");
     page.click("help");
     all_rules("the keys");
-    page.run("document.getElementById('keys').close()");
+    page.run("document.getElementById('tour').click()");
+    page.wait_for("the tour", "return !!document.querySelector('#tour-card:not([hidden])')");
+    all_rules("the tour");
+    page.run("document.querySelector('#tour-card [data-by=\"0\"]').click()");
     page.click("charts");
     page.wait_for(
         "the charts",

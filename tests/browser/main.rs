@@ -38,5 +38,8 @@ mod server;
 mod start;
 mod studio;
 mod three_engines;
+mod told;
+mod tour;
 mod views;
 mod webdriver;
+mod welcome;

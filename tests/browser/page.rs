@@ -98,6 +98,24 @@ impl Page {
         self.browser.enter_frame();
     }
 
+    /// Opens a page of somebody else's, and stays in it.
+    #[track_caller]
+    pub fn go_to_host(&self, html: &str) {
+        let host = Path::new(env!("CARGO_TARGET_TMPDIR")).join("host");
+        std::fs::create_dir_all(&host).expect("a folder can be made");
+        std::fs::write(host.join("index.html"), html).expect("a file can be written");
+        self.go(&Server::start(&host).address());
+    }
+
+    /// Does something in the first frame of the page.
+    #[track_caller]
+    pub fn in_frame<T>(&self, act: impl FnOnce() -> T) -> T {
+        self.browser.enter_frame();
+        let done = act();
+        self.browser.leave_frame();
+        done
+    }
+
     #[track_caller]
     pub fn state(&self) -> State {
         let data = self.run("return {...document.documentElement.dataset}");
@@ -327,6 +345,7 @@ pub mod keys {
     pub const END: &str = "\u{e010}";
     pub const HOME: &str = "\u{e011}";
     pub const LEFT: &str = "\u{e012}";
+    pub const UP: &str = "\u{e013}";
     pub const RIGHT: &str = "\u{e014}";
     pub const DOWN: &str = "\u{e015}";
 }

@@ -28,6 +28,17 @@ pub fn scene() -> Scene {
     link::read(link_of(&address()), plants::all()).scene
 }
 
+/// What the page showed before its last change of more than day and view, as it would be seen now.
+pub fn before() -> Option<Scene> {
+    let now = scene();
+    let link = find::<Element>("printed-link").get_attribute("data-before");
+    let before = link::read(&link.filter(|link| !link.is_empty())?, plants::all()).scene;
+    Some(match before.plant.key == now.plant.key {
+        true => Scene { day: now.day.min(before.recipe.days), orbit: now.orbit, ..before },
+        false => before,
+    })
+}
+
 /// Shows a scene on the page, by its link; what the studio does with it goes on.
 pub fn show(link: &str) {
     let _ = window().location().set_hash(&format!("{link}{}", wanted()));
@@ -44,6 +55,11 @@ pub fn want(what: &str) {
 /// Shows a scene, by its link, and does something with it: one entry of the browser's history.
 pub fn go(link: &str, what: &str) {
     let _ = window().location().set_hash(&format!("{link}~{what}"));
+}
+
+/// Shows several plants, by the fragment of their address.
+pub fn go_to(fragment: &str) {
+    let _ = window().location().set_hash(fragment);
 }
 
 /// The fingerprint of the day on the screen.

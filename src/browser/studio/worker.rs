@@ -3,7 +3,7 @@
 use crate::export::{Kind, Order, measured};
 use crate::plants;
 use crate::play::lesson::Measure;
-use crate::play::link;
+use crate::play::{Scene, link};
 use crate::surface::{Charts, unpack};
 use crate::tissue::{Growth, Progress};
 use js_sys::{Array, Uint8Array};
@@ -13,7 +13,8 @@ use web_sys::{DedicatedWorkerGlobalScope, MessageEvent};
 /// The word for days in numbers, where else the word of a kind of file stands.
 pub const NUMBERS: &str = "numbers";
 
-/// The word for one number of some individuals; the name of the file is then how many and what: `12 share F`.
+/// The word for one number of some individuals, or of some days of one; the name of the file is then how many or
+/// which days, and what: `12 share F`, `0,10,20 share F`.
 pub const MEASURE: &str = "measure";
 
 /// Listens for its one wish, an array of what is wanted, the link, the packed mesh of its plant and the name of the
@@ -84,14 +85,25 @@ fn number(link: &str, mesh: &str) -> Result<JsValue, String> {
 
 /// Grows as many individuals as are wished, and tells each one's number as it is done.
 fn measure(link: &str, mesh: &str, wish: &str) -> Result<JsValue, String> {
-    let (individuals, measure) = wish.split_once(' ').unwrap_or_default();
-    let individuals: u32 = individuals.parse().unwrap_or(1);
+    let (which, measure) = wish.split_once(' ').unwrap_or_default();
     let measure = Measure::of_words(measure).ok_or("There is no such measure.")?;
-    let mut scene = link::read(link, plants::all()).scene;
+    let scene = link::read(link, plants::all()).scene;
     let body = scene.plant.grow_body(&unpack(mesh)).map_err(|e| e.to_string())?;
-    for _ in 0..individuals {
+    let grow = |scene: Scene| {
         post(&Array::of1(&measured(&scene, measure, body.clone())?.into()).into());
-        scene.individual = scene.individual.wrapping_add(1);
+        Ok::<(), String>(())
+    };
+    match which.parse::<u32>() {
+        Ok(individuals) => {
+            for k in 0..individuals {
+                grow(Scene { individual: scene.individual.wrapping_add(k), ..scene.clone() })?;
+            }
+        }
+        Err(_) => {
+            for day in which.split(',').filter_map(|day| day.parse().ok()) {
+                grow(Scene { day, ..scene.clone() })?;
+            }
+        }
     }
     Ok(Array::new().into())
 }
