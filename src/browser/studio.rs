@@ -2,6 +2,7 @@
 //! page loads when it is first wanted, and has no private door into the page: a scene comes in as the link that
 //! the page would print, a file goes out, and a scene goes back as the address.
 
+mod bring_in;
 mod charts;
 mod class;
 mod files;
@@ -14,12 +15,13 @@ mod series;
 mod simple;
 mod subject;
 mod take_away;
+pub mod wish;
 mod work;
-mod worker;
 
 use super::address::{fragment, wanted};
 use super::dom::{document, find, on, set_attribute, window};
 use crate::play::series::asked_view;
+use bring_in::BringIn;
 use charts::ChartView;
 use class::ClassDialog;
 use lessons::LessonView;
@@ -31,8 +33,7 @@ use std::cell::RefCell;
 use take_away::TakeAway;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, Event};
-
-pub use worker::start_worker;
+use work::Work;
 
 thread_local! {
     static STUDIO: RefCell<Option<Studio>> = const { RefCell::new(None) };
@@ -40,6 +41,9 @@ thread_local! {
 
 struct Studio {
     take_away: TakeAway,
+    bring_in: BringIn,
+    /// What opens the file that was brought last.
+    opening: Option<Work>,
     charts: ChartView,
     series: Series,
     class: ClassDialog,
@@ -56,6 +60,7 @@ pub fn start() {
     wear(include_str!("studio/lessons.css"));
     let body = document().body().expect("a page has a body");
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
+    let _ = body.insert_adjacent_html("beforeend", include_str!("studio/bring_in.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/series.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
@@ -64,6 +69,8 @@ pub fn start() {
     let _ = body.insert_adjacent_html("beforeend", sheet);
     STUDIO.set(Some(Studio {
         take_away: TakeAway::new(),
+        bring_in: BringIn::new(),
+        opening: None,
         charts: ChartView::new(),
         series: Series::new(),
         class: ClassDialog::new(),
@@ -102,6 +109,7 @@ impl Studio {
 fn open(door: &str) {
     with(|studio| match door {
         "take-away" => studio.take_away.open(),
+        "bring-in" => studio.bring_in.open(),
         "charts" => studio.charts.toggle(),
         "series" => studio.series.open(),
         "class" => studio.class.open(),

@@ -40,7 +40,7 @@ pub fn write(scene: &Scene) -> String {
     for parameter in PARAMETERS {
         let value = parameter.get(scene);
         if value != parameter.get(&preset) {
-            let _ = write!(link, "&{}={value}", parameter.key);
+            let _ = write!(link, "&{}={}", parameter.key, parameter.written(value));
         }
     }
     if scene.noise {
@@ -161,7 +161,7 @@ fn read_parameters(scene: &mut Scene, words: &[Said], left_out: &mut Vec<String>
         let Some(&(_, value, pair)) = words.iter().find(|said| said.0 == parameter.key) else {
             continue;
         };
-        if let Err(why) = number(value).and_then(|x| parameter.set(scene, x)) {
+        if let Err(why) = parameter.read(value).and_then(|x| parameter.set(scene, x)) {
             leave_out(left_out, &[pair], &why);
             continue;
         }
@@ -210,7 +210,8 @@ fn read_orbit(value: &str) -> Result<Orbit, String> {
     Ok(Orbit { azimuth_deg, elevation_deg, zoom, pan }.limited())
 }
 
-fn number(text: &str) -> Result<f64, String> {
+/// Reads a number; in an error, why it is none.
+pub fn number(text: &str) -> Result<f64, String> {
     typed::plain(text).ok_or_else(|| format!("{} is not a number", shown(text)))
 }
 

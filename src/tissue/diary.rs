@@ -2,7 +2,6 @@
 
 use super::CellType;
 use crate::surface::Place;
-use serde::{Deserialize, Serialize};
 
 /// What never changes about a cell. Cells are numbered in the order of their birth, so the cells
 /// of a day are the first ones of the list.
@@ -34,7 +33,7 @@ pub struct Diary {
 }
 
 /// How many cells of each type a day has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DayCount {
     pub cells: u32,
     /// By `CellType`.

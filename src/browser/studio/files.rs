@@ -1,8 +1,11 @@
 //! Files from and to the visitor's machine.
 
-use super::subject;
+use super::bring_in;
+use super::subject::{self, link_of};
+use super::wish::OPEN;
+use super::with;
+use super::work::{Said, Work};
 use crate::browser::dom::{document, find, on, set_flag, window};
-use crate::import::link_of_file;
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
@@ -45,13 +48,25 @@ pub fn take_what_is_dropped() {
 pub fn open(file: File) {
     spawn_local(async move {
         let name = file.name();
+        let is_picture = file.type_().starts_with("image/") && !file.type_().contains("svg");
         let Ok(buffer) = JsFuture::from(file.array_buffer()).await else {
             return tell(&format!("{name} cannot be read."));
         };
-        let bytes = Uint8Array::new(&buffer).to_vec();
-        match link_of_file(&bytes, &subject::scene()) {
-            Ok(link) => subject::show(&link),
-            Err(why) => tell(&format!("{name}: {why}")),
+        let hear = move |said: Said| {
+            match said {
+                Said::Day(_) => {}
+                // A picture of anything else.
+                Said::Refused(_) if is_picture => bring_in::look(file.clone()),
+                Said::Refused(why) => tell(&format!("{name}: {why}")),
+                Said::Done(answer) => subject::show(&answer.get(0).as_string().unwrap_or_default()),
+            }
+            with(|studio| studio.opening = None);
+        };
+        let now = subject::address();
+        let work = Work::start([OPEN, link_of(&now), ""], Uint8Array::new(&buffer), hear);
+        match work {
+            Ok(work) => with(|studio| studio.opening = Some(work)),
+            Err(why) => tell(&why),
         }
     });
 }
