@@ -8,6 +8,7 @@ mod class;
 mod files;
 mod leaflet;
 mod lessons;
+mod own;
 mod picture;
 mod presenter;
 mod pupils;
@@ -119,8 +120,18 @@ fn open(door: &str) {
     });
 }
 
+/// Opens the plant of the visitor's own that the address has asked for in vain, if it was kept.
+fn follow_own() {
+    let root = document().document_element().expect("a document has a root");
+    if let Some(asked) = root.get_attribute("data-own") {
+        let _ = root.remove_attribute("data-own");
+        own::make_what_was_kept(asked);
+    }
+}
+
 /// Agrees with the address: what stands behind its `~`, a view and, behind a `/`, what of it.
 fn follow() {
+    follow_own();
     let wanted = wanted();
     let wanted = wanted.trim_start_matches('~');
     // Where several plants stand there is none that anything could be done with.

@@ -4,7 +4,7 @@
 
 use super::studio::wish;
 use crate::export::{Kind, Order, measured, write_picture, write_zip};
-use crate::import::{Part, Photo, link_of_file, palette, types};
+use crate::import::{Own, Part, Photo, link_of_file, of_document, of_mesh, palette, types};
 use crate::plants::{self, Plant};
 use crate::play::lesson::Measure;
 use crate::play::{Scene, link};
@@ -20,6 +20,8 @@ pub fn listen() {
         let wish: Array = message.data().unchecked_into();
         let word = |k| wish.get(k).as_string().unwrap_or_default();
         let [wanted, link, mesh, name] = [word(0), word(1), word(2), word(3)];
+        // The mesh of a plant of the visitor's own says it.
+        plants::bring(&mesh);
         let bytes = || wish.get(3).unchecked_into::<Uint8Array>().to_vec();
         let answer = match Kind::of_word(&wanted) {
             Some(kind) => take(kind, &link, &mesh, &name),
@@ -28,6 +30,7 @@ pub fn listen() {
                 wish::PICTURE => picture(&link, &wish.get(3).unchecked_into()),
                 wish::PHOTO => photo(&link, &mesh, &wish.get(3).unchecked_into()),
                 wish::OPEN => link_of_file(&bytes(), &scene_of(&link)).map(|link| array(&link)),
+                wish::OWN => own(&link, &mesh, &wish.get(3).unchecked_into()),
                 wish::MEASURE => measure(&link, &mesh, &name),
                 _ => number(&link, &mesh),
             },
@@ -78,7 +81,20 @@ fn take(kind: Kind, link: &str, mesh: &str, name: &str) -> Result<JsValue, Strin
 /// The plant with the numbers and the colours of a scene.
 fn document(link: &str) -> String {
     let Scene { plant, recipe, look, .. } = scene_of(link);
-    Plant { recipe, look, ..plant.clone() }.to_json()
+    Plant { recipe, look, ..plant.as_written() }.to_json()
+}
+
+fn own(link: &str, mesh: &str, file: &Array) -> Result<JsValue, String> {
+    let name = file.get(0).as_string().unwrap_or_default();
+    let bytes = file.get(1).unchecked_into::<Uint8Array>().to_vec();
+    let made = match std::str::from_utf8(&bytes) {
+        Ok(json) if name.ends_with(".json") => of_document(json, &unpack(mesh)),
+        _ => {
+            of_mesh(&bytes, name.rsplit_once('.').map_or(&*name, |(name, _)| name), &scene_of(link))
+        }
+    };
+    let Own { key, text, told } = made?;
+    Ok(Array::of3(&key.into(), &text.into(), &told.join("; ").into()).into())
 }
 
 fn picture(link: &str, picture: &ImageData) -> Result<JsValue, String> {

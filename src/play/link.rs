@@ -7,7 +7,7 @@ use super::camera::Orbit;
 use super::parameters::{PARAMETERS, Parameter};
 use super::scene::{FIRST_INDIVIDUAL, Scene};
 use super::typed;
-use crate::plants::{Plant, Show};
+use crate::plants::{OWN, Plant, Show, brought};
 use crate::surface::quoted;
 use glam::Vec2;
 use std::fmt::Write;
@@ -73,8 +73,15 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
     let text = text.trim_end_matches(hangs_on);
     let (name, query) = text.split_once('?').unwrap_or((text, ""));
     let mut left_out = Vec::new();
-    let plant = plants.iter().find(|p| p.key == name).unwrap_or_else(|| {
-        if !name.is_empty() {
+    let known = plants.iter().find(|p| p.key == name).or_else(|| brought(name));
+    let plant = known.unwrap_or_else(|| {
+        if name.starts_with(OWN) {
+            left_out.push(format!(
+                "{} is a plant of somebody's own, and its file is not here: the {} stands in its place.",
+                shown(name),
+                plants[0].name.to_ascii_lowercase()
+            ));
+        } else if !name.is_empty() {
             left_out.push(format!(
                 "There is no plant called {} here: the {} stands in its place.",
                 shown(name),

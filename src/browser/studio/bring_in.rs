@@ -3,7 +3,7 @@
 use super::subject::{self, link_of};
 use super::wish::PHOTO;
 use super::work::{Said, Work};
-use super::{files, with};
+use super::{files, own, with};
 use crate::browser::dom::{
     Listener, document, find, offer, on, set_flag, set_style, set_text, window, within,
 };
@@ -42,21 +42,27 @@ struct Found {
 impl BringIn {
     pub fn new() -> BringIn {
         let dialog: HtmlDialogElement = find("bring-in-dialog");
-        let mut listeners = Vec::from([(".photo", look as fn(File)), (".open", open_file)].map(
-            |(selector, take)| {
-                let input: HtmlInputElement = within(&dialog, selector);
-                let chosen = input.clone();
-                on(&input, "change", move |_: Event| {
-                    if let Some(file) = chosen.files().and_then(|files| files.get(0)) {
-                        // The same file may be chosen again.
-                        take(file);
-                        chosen.set_value("");
-                    }
-                })
-            },
-        ));
+        let mut listeners = Vec::from(
+            [(".photo", look as fn(File)), (".own", open_file), (".open", open_file)].map(
+                |(selector, take)| {
+                    let input: HtmlInputElement = within(&dialog, selector);
+                    let chosen = input.clone();
+                    on(&input, "change", move |_: Event| {
+                        if let Some(file) = chosen.files().and_then(|files| files.get(0)) {
+                            // The same file may be chosen again.
+                            take(file);
+                            chosen.set_value("");
+                        }
+                    })
+                },
+            ),
+        );
         listeners.push(on(&within::<Element>(&dialog, ".with-numbers"), "change", |_: Event| {
             with(|studio| studio.bring_in.show_proposal());
+        }));
+        listeners.push(on(&within::<HtmlElement>(&dialog, ".forget"), "click", |_: Event| {
+            own::forget();
+            with(|studio| studio.bring_in.say("Nothing is kept any more."));
         }));
         listeners.push(on(&within::<HtmlElement>(&dialog, ".give"), "click", |_: Event| {
             with(|studio| studio.bring_in.give());

@@ -110,7 +110,7 @@ impl TakeAway {
             None => {
                 let file = format!("{name}.mosaic.json");
                 self.begin(Making { file, what: "the document", last_day: 0 });
-                self.start([DOCUMENT, &link, ""], "");
+                self.start([DOCUMENT, &link, &subject::own()], "");
             }
         }
     }

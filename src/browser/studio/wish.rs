@@ -14,6 +14,10 @@ pub const PICTURE: &str = "picture";
 /// colour its three parts in sRGB and its share.
 pub const PHOTO: &str = "photo";
 
+/// A plant of a file of the visitor's own, an array of its name and its bytes: its key, its text, and what was done
+/// to it. In place of the mesh stands that which a document names, if one does.
+pub const OWN: &str = "own";
+
 /// The bytes of a file as the link that it holds.
 pub const OPEN: &str = "open";
 
