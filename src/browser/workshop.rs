@@ -71,7 +71,7 @@ fn take(kind: Kind, link: &str, mesh: &str, name: &str) -> Result<JsValue, Strin
         [obj, mtl] => {
             let mut zip = Vec::new();
             let files = [(&*format!("{name}.obj"), &obj[..]), (&*materials, &mtl[..])];
-            write_zip(&files, &mut zip).map_err(|e| e.to_string())?;
+            write_zip(&files, 1, &mut zip).map_err(|e| e.to_string())?;
             Ok(file(&written.told, &zip))
         }
         files => Ok(file(&written.told, &files.concat())),
