@@ -24,6 +24,7 @@ mod svg;
 mod three_mf;
 mod tile;
 mod tiling;
+mod usdz;
 mod zip;
 
 pub use cells::write_cells;

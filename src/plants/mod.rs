@@ -16,6 +16,7 @@ mod banded_cactus;
 mod begonia;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod bodies;
+mod brought;
 mod cactus;
 mod coleus;
 mod croton;
@@ -46,9 +47,11 @@ mod square_watermelon;
 mod tests;
 mod watermelon;
 mod winter_squash;
+mod words;
 
 use crate::surface::{Body, DirectionField, Mesh, ObjError, SurfaceError};
 use crate::tissue::{Control, Growth, Recipe, RecipeError};
+pub use brought::{OWN, bring, brought, to_text};
 pub use diagram::{Diagram, Layer};
 pub use document::PlantError;
 use document::{List, Text, kept, kept_list, kept_text, kept_texts};

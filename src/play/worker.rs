@@ -5,7 +5,7 @@ use super::link;
 use super::protocol::{BUILD, DayNews, ToPage, ToWorker};
 use super::run::DayFacts;
 use crate::mosaic::SiteFinder;
-use crate::plants::Plant;
+use crate::plants::{Plant, bring};
 use crate::surface::Mesh;
 use crate::tissue::{Diary, Growth, Noise, Pedigree, Progress};
 use std::sync::Arc;
@@ -49,6 +49,8 @@ impl Worker {
         let (generation, link) = match wish {
             ToWorker::Grow { generation, link } => (generation, link),
             ToWorker::Mesh { name, text } => {
+                // That of a plant of the visitor's own says it.
+                bring(&text);
                 self.meshes.push((name, text));
                 return None;
             }

@@ -5,6 +5,7 @@ mod plants;
 mod shapes;
 mod sweeps;
 mod tiles;
+mod usdz;
 
 use serde_json::Value;
 use std::path::PathBuf;

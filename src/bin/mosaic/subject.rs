@@ -182,7 +182,7 @@ pub fn plant(name: &str) -> Result<&'static Plant, Refusal> {
 
 fn read_mesh(path: &Path) -> Result<(Body, Reading), Refusal> {
     let bytes = fs::read(path).map_err(|e| cannot("read", path, &e))?;
-    let Brought { body, origin, joined_edges, left_out_triangles } =
+    let Brought { body, origin, joined_edges, left_out_triangles, .. } =
         Brought::read(&bytes).map_err(|e| of_file(path, &e))?;
     Ok((body, Reading { joined_edges, left_out_triangles, origin }))
 }
