@@ -37,7 +37,9 @@ fn a_usdz_has_its_files_in_line_and_the_colours_of_the_glb() {
     };
     let (text, picture) = (String::from_utf8(read(0)).unwrap(), read(1));
     assert!(text.starts_with("#usda 1.0\n") && text.contains("croton?v=1&s=4&d=1"));
-    for part in ["defaultPrim = \"plant\"", "metersPerUnit = 0.01", "upAxis = \"Y\"", "@colours.png@"] {
+    for part in
+        ["defaultPrim = \"plant\"", "metersPerUnit = 0.01", "upAxis = \"Y\"", "@colours.png@"]
+    {
         assert!(text.contains(part), "{part}");
     }
     let meshes: Vec<&str> = text.split("def Mesh ").skip(1).collect();
@@ -45,7 +47,8 @@ fn a_usdz_has_its_files_in_line_and_the_colours_of_the_glb() {
     assert_eq!(names, ["mosaic", "bare_bark", "bare_petiole", "bare_pot", "bare_soil"]);
     for (mesh, name) in meshes.iter().zip(&names) {
         let [counts, corners, points, normals] =
-            ["faceVertexCounts", "faceVertexIndices", "points", "normals"].map(|of| numbers(mesh, of));
+            ["faceVertexCounts", "faceVertexIndices", "points", "normals"]
+                .map(|of| numbers(mesh, of));
         assert!(counts.iter().all(|&count| count == 3.0) && 3 * counts.len() == corners.len());
         assert_eq!(points.len(), normals.len());
         assert!(corners.iter().all(|&corner| 3.0 * corner < points.len() as f64));
@@ -61,7 +64,8 @@ fn a_usdz_has_its_files_in_line_and_the_colours_of_the_glb() {
         let at = ((1.0 - y) * height) as usize * info.width as usize + (x * width) as usize;
         [0, 1, 2].map(|k| f64::from(pixels[3 * at + k]))
     };
-    let (places, corners) = (numbers(meshes[0], "primvars:st"), numbers(meshes[0], "faceVertexIndices"));
+    let (places, corners) =
+        (numbers(meshes[0], "primvars:st"), numbers(meshes[0], "faceVertexIndices"));
     let glb = gltf::Gltf::from_slice(&export("--glb", "beside.glb")).unwrap();
     let blob = glb.blob.as_deref().unwrap();
     let mosaic = glb.meshes().next().unwrap().primitives().next().unwrap();
