@@ -1,6 +1,7 @@
 //! The command line as its user meets it.
 
 mod exports;
+mod fits;
 mod plants;
 mod shapes;
 mod sweeps;
