@@ -1,5 +1,5 @@
 //! The engine by number of cells: one relaxation event, one day's divisions, one day's site lists; a leaf
-//! from its numbers, and fine veins by their sources.
+//! from its numbers, an opening flower by its corners, and fine veins by their sources.
 //!
 //! Cells grow on the body that the figures of the original program were measured on: an icosahedron of radius
 //! 10 cm, subdivided to 5,120 triangles.
@@ -9,6 +9,7 @@ mod states;
 
 use clonal_mosaic::mosaic::SiteFinder;
 use clonal_mosaic::plants::original::sphere;
+use clonal_mosaic::shapes::flower::{Flower, FlowerNumbers};
 use clonal_mosaic::shapes::leaf::{Leaf, LeafNumbers};
 use clonal_mosaic::shapes::veins::{VeinNumbers, grow, scatter};
 use clonal_mosaic::surface::{Mesh, Moment, Motion};
@@ -129,6 +130,21 @@ fn leaf(c: &mut Criterion) {
     group.finish();
 }
 
+fn flower(c: &mut Criterion) {
+    let mut group = c.benchmark_group("a moment of a flower, by corners");
+    for [rows, columns] in [[10, 2], [64, 12]] {
+        let mut numbers = FlowerNumbers::default();
+        (numbers.petals.rows, numbers.petals.columns) = (rows, columns);
+        let flower = Flower::new(&numbers, 1).unwrap();
+        let corners = flower.at(0.5).len();
+        group.throughput(Throughput::Elements(corners as u64));
+        group.bench_function(BenchmarkId::from_parameter(corners), |b| {
+            b.iter(|| black_box(flower.at(black_box(0.5))));
+        });
+    }
+    group.finish();
+}
+
 fn veins(c: &mut Criterion) {
     let side = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(DVec2::from).to_vec();
     let numbers = VeinNumbers { spacing_cm: 0.0186, ..VeinNumbers::default() };
@@ -144,6 +160,6 @@ fn veins(c: &mut Criterion) {
 criterion_group! {
     name = engine;
     config = Criterion::default().sample_size(10).measurement_time(Duration::from_secs(3));
-    targets = relax, divide, moving, site_lists, leaf, veins
+    targets = relax, divide, moving, site_lists, leaf, flower, veins
 }
 criterion_main!(engine);

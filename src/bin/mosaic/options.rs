@@ -292,7 +292,8 @@ fn refusal(error: &clap::Error) -> Refusal {
         ErrorKind::MissingSubcommand | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
             let told = error.render().to_string();
             if told.contains("mosaic shape") {
-                return "say which: mosaic shape leaf or tree, or mosaic shape --help".into();
+                return "say which: mosaic shape leaf, flower or tree, or mosaic shape --help"
+                    .into();
             }
             "say what to do: mosaic grow, figures, sweep, fit, export, shape, plant or bench, or mosaic --help".into()
         }
