@@ -1,11 +1,11 @@
-# Writes an OBJ file for the download: each number of a v, vt, f or l line as the difference from the one
+# Writes an OBJ file for the download: each number of a v, vt, f, l or #v line as the difference from the one
 # at its place in the line of the same kind before, coordinates in hundredths. What is left compresses to
 # a third. src/surface/packed.rs reads it back.
 
 function whole(number) { return int(number < 0 ? number - 0.5 : number + 0.5) }
 
-$1 == "v" || $1 == "vt" || $1 == "f" || $1 == "l" {
-    scale = $1 ~ /^v/ ? 100 : 1
+$1 == "v" || $1 == "vt" || $1 == "f" || $1 == "l" || $1 == "#v" {
+    scale = $1 ~ /v/ ? 100 : 1
     line = $1
     rest = substr($0, length($1) + 1)
     for (place = 0; match(rest, /[-0-9.]+/); place++) {

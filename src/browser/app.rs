@@ -7,7 +7,7 @@ use super::address::{fragment, mark_ui, push_link, wanted, with_fragment, write_
 use super::card::Card;
 use super::chooser::Chooser;
 use super::controls::{Controls, load_studio};
-use super::dom::{Listener, document, on, window};
+use super::dom::{Listener, document, on, set_attribute, window};
 use super::files;
 use super::fingers::Fingers;
 use super::frames::Frames;
@@ -32,7 +32,6 @@ use crate::play::figures::Figure;
 use crate::play::gallery;
 use crate::play::page::{Effect, Event, Page, State};
 use crate::play::parameters::Parameter;
-use crate::play::protocol::BUILD;
 use crate::play::series::asked_view;
 use crate::surface::unpack;
 use glam::Vec2;
@@ -74,6 +73,7 @@ struct App {
 /// Starts the page: the worker and the graphics card at the same time.
 pub fn start() {
     let asked = fragment();
+    bring_own(&asked);
     let (page, effects) = Page::open(&asked, plants::all());
     let stage = Stage::new();
     let [stage_keys, keys] = keyboard::listen(stage.element());
@@ -291,6 +291,7 @@ impl App {
 
     /// Shows what a link asks for: the figures or a plant.
     fn open_link(&mut self, fragment: &str) {
+        bring_own(fragment);
         if let Some(gallery) = self.gallery.take() {
             self.bookmark = gallery.bookmark();
             self.stage.forget();
@@ -389,9 +390,25 @@ impl App {
     }
 }
 
+/// Has a plant of the visitor's own known before its link is read. The studio puts it into the page, and knows
+/// whether it was kept.
+fn bring_own(fragment: &str) {
+    let Some(at) = fragment.find(plants::OWN) else { return };
+    let key = fragment[at..].split('?').next().unwrap_or_default();
+    match files::held(&format!("meshes/{key}.txt")) {
+        Some(text) => {
+            plants::bring(&text);
+        }
+        None => {
+            let root = document().document_element().expect("a document has a root");
+            set_attribute(&root, "data-own", fragment);
+            load_studio("own");
+        }
+    }
+}
+
 async fn load_mesh(name: &'static str) {
-    let file = files::address(&format!("meshes/{}?build={BUILD}", name.replace(".obj", ".txt")));
-    let text = files::read_text(&file).await.map(|packed| unpack(&packed));
+    let text = files::read_mesh(name).await.map(|packed| unpack(&packed));
     send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
     send(Event::Mesh { name, text });
 }

@@ -53,16 +53,23 @@ mod typing;
 mod welcome;
 #[cfg(feature = "draw")]
 mod worker;
+mod workshop;
 
 /// Starts the bundle that chooses among the others.
 pub fn start_boot() {
     boot::boot();
 }
 
-/// Starts the studio, or, where it was started as a worker, its worker.
+/// Starts the studio.
 pub fn start_studio() {
     console_error_panic_hook::set_once();
-    if web_sys::window().is_some() { studio::start() } else { studio::start_worker() }
+    studio::start();
+}
+
+/// Starts the worker that grows and writes for the studio.
+pub fn start_workshop() {
+    console_error_panic_hook::set_once();
+    workshop::listen();
 }
 
 /// Starts the service worker, which keeps a build of which all files are named.

@@ -166,7 +166,7 @@ impl Stage {
 
     fn draw(&mut self, page: &Page, dark: bool, seconds: f64) -> Result<Option<Drawn>, DrawError> {
         let picture = Picture::of(page, self.size_px);
-        if self.handed.refuses(&picture.wanted()) {
+        if self.handed.refuses(&picture.wanted(None)) {
             return Ok(Some(Drawn::DONE));
         }
         let drawn = self.portray(&picture, dark, Some(seconds))?;
@@ -262,18 +262,20 @@ impl Stage {
         if let Graphics::None = self.graphics {
             return Ok(Some(Drawn::DONE));
         }
-        let wanted = picture.wanted();
-        let key = wanted.plant;
+        let key = picture.plant.key;
         if self.body.as_ref().is_none_or(|(of, _)| *of != key) {
             // What is no mesh the worker tells.
             let on_stage = picture.mesh.and_then(|mesh| OnStage::of(picture.plant, mesh).ok());
             self.body = on_stage.map(|on_stage| (key, on_stage));
         }
         // The body is ready when the graphics card is.
-        let (Graphics::Running(renderer), Some((_, on_stage))) = (&mut self.graphics, &self.body)
+        let (Graphics::Running(renderer), Some((_, on_stage))) =
+            (&mut self.graphics, &mut self.body)
         else {
             return Ok(None);
         };
+        on_stage.stand(picture.shape(on_stage));
+        let (on_stage, wanted) = (&*on_stage, picture.wanted(Some(on_stage)));
         while let Some(part) = self.handed.lacks(&wanted) {
             if let Err(too_large) = picture.hand(part, on_stage, renderer, &mut self.clan_map) {
                 self.handed.refuse(&wanted);

@@ -2,11 +2,13 @@
 //! page loads when it is first wanted, and has no private door into the page: a scene comes in as the link that
 //! the page would print, a file goes out, and a scene goes back as the address.
 
+mod bring_in;
 mod charts;
 mod class;
 mod files;
 mod leaflet;
 mod lessons;
+mod own;
 mod picture;
 mod pictures;
 mod presenter;
@@ -17,12 +19,13 @@ mod sound;
 mod subject;
 mod take_away;
 mod tour;
+pub mod wish;
 mod work;
-mod worker;
 
 use super::address::{fragment, wanted};
 use super::dom::{document, find, on, set_attribute, window};
 use crate::play::series::asked_view;
+use bring_in::BringIn;
 use charts::ChartView;
 use class::ClassDialog;
 use lessons::LessonView;
@@ -36,8 +39,7 @@ use take_away::TakeAway;
 use tour::Tour;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, Event};
-
-pub use worker::start_worker;
+use work::Work;
 
 thread_local! {
     static STUDIO: RefCell<Option<Studio>> = const { RefCell::new(None) };
@@ -45,6 +47,9 @@ thread_local! {
 
 struct Studio {
     take_away: TakeAway,
+    bring_in: BringIn,
+    /// What opens the file that was brought last.
+    opening: Option<Work>,
     charts: ChartView,
     series: Series,
     class: ClassDialog,
@@ -63,6 +68,7 @@ pub fn start() {
     wear(include_str!("studio/lessons.css"));
     let body = document().body().expect("a page has a body");
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
+    let _ = body.insert_adjacent_html("beforeend", include_str!("studio/bring_in.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/series.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
@@ -71,6 +77,8 @@ pub fn start() {
     let _ = body.insert_adjacent_html("beforeend", sheet);
     STUDIO.set(Some(Studio {
         take_away: TakeAway::new(),
+        bring_in: BringIn::new(),
+        opening: None,
         charts: ChartView::new(),
         series: Series::new(),
         class: ClassDialog::new(),
@@ -112,6 +120,7 @@ impl Studio {
 fn open(door: &str) {
     with(|studio| match door {
         "take-away" => studio.take_away.open(),
+        "bring-in" => studio.bring_in.open(),
         "charts" => studio.charts.toggle(),
         "series" => studio.series.open(),
         "class" => studio.class.open(),
@@ -122,8 +131,18 @@ fn open(door: &str) {
     });
 }
 
+/// Opens the plant of the visitor's own that the address has asked for in vain, if it was kept.
+fn follow_own() {
+    let root = document().document_element().expect("a document has a root");
+    if let Some(asked) = root.get_attribute("data-own") {
+        let _ = root.remove_attribute("data-own");
+        own::make_what_was_kept(asked);
+    }
+}
+
 /// Agrees with the address: what stands behind its `~`, a view and, behind a `/`, what of it.
 fn follow() {
+    follow_own();
     let wanted = wanted();
     let wanted = wanted.trim_start_matches('~');
     // Where several plants stand there is none that anything could be done with.

@@ -46,6 +46,8 @@ pub struct Bounds {
 pub struct Geometry {
     /// Three corners a triangle: first those of the surface, then those of the bare parts.
     pub corners: Vec<Corner>,
+    /// The places and normals of the same corners the day before, if they move; else nothing.
+    pub before: Vec<Corner>,
     pub surface_corners: u32,
     pub ground: Vec<GroundCorner>,
     pub ground_triangles: Vec<[u32; 3]>,
@@ -75,42 +77,36 @@ impl Geometry {
     /// Takes a body apart. That takes twenty milliseconds for 20,000 triangles, most of them for how much
     /// of the sky each corner sees: once for each plant.
     pub fn new(body: &Body) -> Geometry {
-        let materials = materials(body);
-        let number = |name: &str| materials.iter().position(|m| *m == name).unwrap_or(0) as u32;
-        let bounds = Bounds::of(body);
+        Geometry::within(Bounds::of(body), body)
+    }
+
+    /// The same of a body that moves, as it stands on a day and the day before.
+    pub fn on(body: &Body, day: u32) -> Geometry {
+        let bare = Skylight { front: 0.0, back: 0.0, bent: Vec3::Y };
+        let unlit = |positions: &[Vec3], _: &[Vec3]| vec![bare; positions.len()];
+        let before = corners(&body.on(day.saturating_sub(1)), unlit);
+        Geometry { before, ..Geometry::within(Bounds::of(body), &body.on(day)) }
+    }
+
+    fn within(bounds: Bounds, body: &Body) -> Geometry {
         let casters = casters(body, sample_spacing(bounds.radius));
         let shade = Shade::new(casters.into_iter(), bounds.centre, bounds.radius * 1.01);
         let sky = shade.sky();
-
-        let mut corners = surface_corners(
-            &body.surface,
-            &skylights(&sky, &body.surface.positions, &body.surface.normals),
-        );
-        let surface_corners = corners.len() as u32;
-        for part in &body.ornaments {
-            let lights = skylights(&sky, &part.positions, &part.normals);
-            let number = number(&part.material);
-            corners.extend(part.triangles.iter().flatten().map(|&v| {
-                let v = v as usize;
-                Corner { number, ..Corner::new(part.positions[v], part.normals[v], &lights[v]) }
-            }));
-        }
+        let corners = corners(body, |positions, normals| skylights(&sky, positions, normals));
+        let surface_corners = 3 * body.surface.triangles.len() as u32;
         let (ground, ground_triangles) = ground(&shade, &sky, &bounds);
-        let materials = materials.into_iter().map(String::from).collect();
-        Geometry { corners, surface_corners, ground, ground_triangles, bounds, materials }
+        let materials = materials(body).into_iter().map(String::from).collect();
+        let before = Vec::new();
+        Geometry { corners, before, surface_corners, ground, ground_triangles, bounds, materials }
     }
 }
 
 impl Bounds {
     fn of(body: &Body) -> Bounds {
-        let points = || {
-            let bare = body.ornaments.iter().flat_map(|part| &part.positions);
-            body.surface.positions.iter().chain(bare).copied()
-        };
-        let low = points().fold(Vec3::INFINITY, Vec3::min);
-        let high = points().fold(Vec3::NEG_INFINITY, Vec3::max);
+        let low = body.corners().fold(Vec3::INFINITY, Vec3::min);
+        let high = body.corners().fold(Vec3::NEG_INFINITY, Vec3::max);
         let centre = (low + high) / 2.0;
-        let radius2 = points().map(|p| p.distance_squared(centre)).fold(0.0, f32::max);
+        let radius2 = body.corners().map(|p| p.distance_squared(centre)).fold(0.0, f32::max);
         Bounds { centre, radius: radius2.sqrt(), lowest: low.y }
     }
 
@@ -157,6 +153,23 @@ impl Corner {
             ..Zeroable::zeroed()
         }
     }
+}
+
+/// The corners of all triangles of a body; `lights`: those of the corners of a part.
+fn corners(body: &Body, lights: impl Fn(&[Vec3], &[Vec3]) -> Vec<Skylight>) -> Vec<Corner> {
+    let materials = materials(body);
+    let number = |name: &str| materials.iter().position(|m| *m == name).unwrap_or(0) as u32;
+    let surface = &body.surface;
+    let mut corners = surface_corners(surface, &lights(&surface.positions, &surface.normals));
+    for part in &body.ornaments {
+        let lights = lights(&part.positions, &part.normals);
+        let number = number(&part.material);
+        corners.extend(part.triangles.iter().flatten().map(|&v| {
+            let v = v as usize;
+            Corner { number, ..Corner::new(part.positions[v], part.normals[v], &lights[v]) }
+        }));
+    }
+    corners
 }
 
 fn skylights(sky: &Sky, positions: &[Vec3], normals: &[Vec3]) -> Vec<Skylight> {

@@ -7,6 +7,8 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 /// A body on the graphics card.
 pub struct Model {
     pub corners: wgpu::Buffer,
+    /// Of a body that moves, where the corners were the day before.
+    pub before: Option<wgpu::Buffer>,
     pub surface_corners: u32,
     pub all_corners: u32,
     pub ground: wgpu::Buffer,
@@ -15,8 +17,8 @@ pub struct Model {
     pub bounds: Bounds,
     /// The lines of a diagram.
     pub lines: Option<(wgpu::Buffer, u32)>,
-    /// Of which picture of a still one the shadow map is.
-    pub shadow_of: Option<u32>,
+    /// Of which picture of a still one the shadow map is, and of which moment of a body that moves.
+    pub shadow_of: Option<(u32, f32)>,
 }
 
 impl Model {
@@ -28,6 +30,8 @@ impl Model {
         let vertices = wgpu::BufferUsages::VERTEX;
         Model {
             corners: buffer(bytemuck::cast_slice(&geometry.corners), vertices),
+            before: (!geometry.before.is_empty())
+                .then(|| buffer(bytemuck::cast_slice(&geometry.before), vertices)),
             surface_corners: geometry.surface_corners,
             all_corners: geometry.corners.len() as u32,
             ground: buffer(bytemuck::cast_slice(&geometry.ground), vertices),
@@ -40,6 +44,12 @@ impl Model {
             lines: None,
             shadow_of: None,
         }
+    }
+
+    /// Lets a pass draw the body as it stands at a moment between the day before and the day.
+    pub fn stand(&self, pass: &mut wgpu::RenderPass) {
+        pass.set_vertex_buffer(0, self.corners.slice(..));
+        pass.set_vertex_buffer(1, self.before.as_ref().unwrap_or(&self.corners).slice(..));
     }
 
     /// Sets the lines of a diagram, in the place of those before.
@@ -64,7 +74,8 @@ impl Model {
 impl Drop for Model {
     fn drop(&mut self) {
         self.drop_lines();
-        for buffer in [&self.corners, &self.ground, &self.ground_indices] {
+        let buffers = [&self.corners, &self.ground, &self.ground_indices];
+        for buffer in buffers.into_iter().chain(&self.before) {
             buffer.destroy();
         }
     }

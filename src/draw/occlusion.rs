@@ -89,6 +89,7 @@ pub struct Sky {
 }
 
 /// The sky as a point of a surface sees it.
+#[derive(Clone, Copy)]
 pub struct Skylight {
     /// The shares of the sky that both sides see, weighted by the cosine, 0 to 1.
     pub front: f32,

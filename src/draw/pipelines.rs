@@ -25,6 +25,11 @@ pub struct Pipelines {
 const CORNER: &[wgpu::VertexAttribute] = &vertex_attr_array![
     0 => Float32x3, 1 => Snorm16x4, 2 => Snorm8x4, 3 => Float32x2, 4 => Float32x2, 5 => Uint32
 ];
+/// Of the day before.
+const BEFORE: &[wgpu::VertexAttribute] = &[
+    wgpu::VertexAttribute { format: wgpu::VertexFormat::Float32x3, offset: 0, shader_location: 6 },
+    wgpu::VertexAttribute { format: wgpu::VertexFormat::Snorm16x4, offset: 12, shader_location: 7 },
+];
 const GROUND_CORNER: &[wgpu::VertexAttribute] = &vertex_attr_array![0 => Float32x2, 1 => Float32x3];
 const LINE: &[wgpu::VertexAttribute] = &vertex_attr_array![0 => Float32x3, 1 => Float32x3];
 
@@ -58,25 +63,27 @@ impl Pipelines {
         let words = texture(wgpu::TextureSampleType::Uint);
         let sites_layout = layout(device, ShaderStages::FRAGMENT, &[words, words, words]);
 
-        let maker = Maker { device, shader: &shader };
-        let make = |layouts: &[_], buffer, vertex, fragment| {
-            maker.make(layouts, Some(buffer), vertex, fragment)
-        };
+        let make = Maker { device, shader: &shader };
         let lit = [Some(&scene_layout), Some(&light_layout), Some(&sites_layout)];
-        let corner = buffer::<Corner>(CORNER);
-        let ground_corner = buffer::<GroundCorner>(GROUND_CORNER);
-        let line = wgpu::VertexBufferLayout {
+        let corner = [Some(buffer::<Corner>(CORNER)), Some(buffer::<Corner>(BEFORE))];
+        let ground_corner = [Some(buffer::<GroundCorner>(GROUND_CORNER))];
+        let line = [Some(wgpu::VertexBufferLayout {
             step_mode: wgpu::VertexStepMode::Instance,
             ..buffer::<[Vec3; 2]>(LINE)
-        };
+        })];
         let over = Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
         let colour = |blend| colour(target, blend);
         Pipelines {
-            surface: make(&lit, &corner, "vs_body", Some(("fs_body", colour(None)))),
-            bare: make(&lit[..2], &corner, "vs_body", Some(("fs_bare", colour(None)))),
-            ground: make(&lit[..2], &ground_corner, "vs_ground", Some(("fs_ground", colour(over)))),
-            lines: make(&lit[..1], &line, "vs_line", Some(("fs_line", colour(None)))),
-            shadow: make(&lit[..1], &corner, "vs_shadow", None),
+            surface: make.make(&lit, &corner, "vs_body", Some(("fs_body", colour(None)))),
+            bare: make.make(&lit[..2], &corner, "vs_body", Some(("fs_bare", colour(None)))),
+            ground: make.make(
+                &lit[..2],
+                &ground_corner,
+                "vs_ground",
+                Some(("fs_ground", colour(over))),
+            ),
+            lines: make.make(&lit[..1], &line, "vs_line", Some(("fs_line", colour(None)))),
+            shadow: make.make(&lit[..1], &corner, "vs_shadow", None),
             scene_layout,
             light_layout,
             sites_layout,
@@ -100,11 +107,11 @@ pub struct Maker<'a> {
 
 impl Maker<'_> {
     /// A pipeline for triangles seen from both sides; without a fragment shader one for the shadow
-    /// map, and without a buffer one that has nothing but a colour target.
+    /// map, and without buffers one that has nothing but a colour target.
     pub fn make(
         &self,
         layouts: &[Option<&BindGroupLayout>],
-        buffer: Option<&wgpu::VertexBufferLayout>,
+        buffers: &[Option<wgpu::VertexBufferLayout>],
         vertex: &str,
         fragment: Option<(&str, Option<wgpu::ColorTargetState>)>,
     ) -> wgpu::RenderPipeline {
@@ -129,10 +136,10 @@ impl Maker<'_> {
                 module: self.shader,
                 entry_point: Some(vertex),
                 compilation_options: Default::default(),
-                buffers: buffer.cloned().map(Some).as_slice(),
+                buffers,
             },
             primitive: Default::default(),
-            depth_stencil: buffer.map(|_| wgpu::DepthStencilState {
+            depth_stencil: (!buffers.is_empty()).then(|| wgpu::DepthStencilState {
                 format: DEPTH,
                 depth_write_enabled: Some(!blends),
                 depth_compare: Some(wgpu::CompareFunction::Less),
@@ -146,7 +153,7 @@ impl Maker<'_> {
                 },
             }),
             multisample: wgpu::MultisampleState {
-                count: if casts_shadow || buffer.is_none() { 1 } else { SAMPLES },
+                count: if casts_shadow || buffers.is_empty() { 1 } else { SAMPLES },
                 ..Default::default()
             },
             fragment,

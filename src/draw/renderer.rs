@@ -139,6 +139,11 @@ impl Renderer {
         self.bind_sites();
     }
 
+    /// Shows the body in another shape, with the same cells.
+    pub fn set_shape(&mut self, geometry: &Geometry) {
+        self.model = Some(Model::new(&self.device, geometry));
+    }
+
     /// Colours the body, whose geometry this is, and its cells: nothing but the numbers that every
     /// frame takes along.
     pub fn set_look(&mut self, look: &Look, geometry: &Geometry) {
@@ -220,11 +225,12 @@ impl Renderer {
         });
 
         let mut encoder = self.device.create_command_encoder(&Default::default());
-        if model.shadow_of.replace(number) != Some(number) {
+        let shadow = (number, if model.before.is_some() { frame.moment } else { 1.0 });
+        if model.shadow_of.replace(shadow) != Some(shadow) {
             let mut pass = begin_pass(&mut encoder, None, &self.shadow_map, wgpu::StoreOp::Store);
             pass.set_bind_group(0, &self.scene_group, &[]);
             pass.set_pipeline(&self.pipelines.shadow);
-            pass.set_vertex_buffer(0, model.corners.slice(..));
+            model.stand(&mut pass);
             pass.draw(0..model.all_corners, 0..1);
         }
         let onto = still.map_or(&canvas_view, |still| &still.picture.view);
@@ -237,7 +243,7 @@ impl Renderer {
         pass.set_bind_group(0, &self.scene_group, &[]);
         pass.set_bind_group(1, &self.light_group, &[]);
         pass.set_bind_group(2, &self.sites_group, &[]);
-        pass.set_vertex_buffer(0, model.corners.slice(..));
+        model.stand(&mut pass);
         pass.set_pipeline(&self.pipelines.surface);
         pass.draw(0..model.surface_corners, 0..1);
         if model.all_corners > model.surface_corners {

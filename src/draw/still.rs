@@ -52,12 +52,7 @@ impl Still {
         };
         let maker = Maker { device, shader: &pipelines.shader };
         let whole = |format, blend| {
-            maker.make(
-                &[Some(&layout)],
-                None,
-                "vs_whole",
-                Some(("fs_whole", colour(format, blend))),
-            )
+            maker.make(&[Some(&layout)], &[], "vs_whole", Some(("fs_whole", colour(format, blend))))
         };
         let share = BlendComponent {
             src_factor: BlendFactor::Constant,

@@ -43,16 +43,16 @@ pub struct Coloured {
 }
 
 impl<'a> Specimen<'a> {
-    /// A day that stands in the diary of a growth on `mesh`, in the colours of a look and of the plant's control
-    /// images.
+    /// A day that stands in the diary of a growth on `rest`, which stands as `mesh` on that day, in the colours of
+    /// a look and of the plant's control images.
     pub fn new(
-        (mesh, ornaments): (&'a Mesh, &[Ornament]),
+        (rest, mesh, ornaments): (&Mesh, &'a Mesh, &[Ornament]),
         look: &Look,
         controls: &[Control],
         (diary, day): (&Diary, usize),
         link: String,
     ) -> Specimen<'a> {
-        let shades = tints(mesh, controls, diary, day).zip(0..);
+        let shades = tints(rest, controls, diary, day).zip(0..);
         let cells = shades.zip(&diary.lineage).map(|((tint, cell), lineage)| {
             (lineage.kind, look.of_cell(lineage.kind, tint, lightness(cell)))
         });

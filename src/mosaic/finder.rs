@@ -77,8 +77,13 @@ impl SiteFinder {
         self
     }
 
-    /// The lists of a day of the mesh that the finder was made for.
+    /// The lists of a day of the mesh that the finder was made for. If it moves, they are for the frames of its
+    /// triangles on that day.
     pub fn find(&mut self, mesh: &Mesh, diary: &Diary, day: usize) -> SiteLists {
+        let (rest, mesh) = (mesh, &*mesh.on(day as u32));
+        if !rest.motion.is_still() {
+            self.charts = Charts::new(mesh);
+        }
         let spacing = (mesh.area / diary.days[day].places.len() as f32).sqrt();
         let room = BORDER_ROOM * spacing;
         let born_before = diary.days[day.saturating_sub(1)].places.len() as u32;
@@ -96,7 +101,7 @@ impl SiteFinder {
         self.number_of.clear();
         self.number_of.resize(diary.days[day].places.len(), (u32::MAX, 0));
         self.tints.clear();
-        self.tints.extend(tints(mesh, &self.controls, diary, day));
+        self.tints.extend(tints(rest, &self.controls, diary, day));
         let mut lists =
             SiteLists { heads: Vec::with_capacity(mesh.triangles.len()), sites: Vec::new() };
         let sparse = if day == 0 { SPARSE_ON_DAY_0 } else { SPARSE_LATER };

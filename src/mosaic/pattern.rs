@@ -3,10 +3,10 @@
 use super::{Piece, polygons};
 use crate::surface::{Charts, Mesh};
 use crate::tissue::{CellType, DayCount, Diary};
-use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// A day's pattern in numbers. Arrays are indexed by `CellType`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Pattern {
     pub count: DayCount,
     /// Share of the whole surface that is in the polygons of each type, 0 to 1. A part without
@@ -21,17 +21,22 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// The pattern of a day that stands in the diary of a growth on `mesh`, whose charts these are.
+    /// The pattern of a day that stands in the diary of a growth on `mesh`, whose charts these are; if it
+    /// moves, that is as it was made, and other charts are made of the day's.
     pub fn of(mesh: &Mesh, charts: &mut Charts, diary: &Diary, day: usize) -> Pattern {
         let places = &diary.days[day].places;
-        let pieces = polygons(mesh, charts, places);
+        let mesh = mesh.on(day as u32);
+        let pieces = match &mesh {
+            Cow::Borrowed(still) => polygons(still, charts, places),
+            Cow::Owned(moved) => polygons(moved, &mut Charts::new(moved), places),
+        };
         let kind = |cell: u32| diary.lineage[cell as usize].kind;
         let pairs = neighbours(&pieces);
         let mixed = pairs.iter().filter(|&&[a, b]| kind(a) != kind(b)).count();
         let (patches, largest_patches) = patches(&pairs, places.len(), kind);
         Pattern {
             count: diary.count(day),
-            area_shares: area_shares(mesh, &pieces, kind),
+            area_shares: area_shares(&mesh, &pieces, kind),
             patches,
             largest_patches,
             mixed_edges: mixed as f64 / pairs.len().max(1) as f64,

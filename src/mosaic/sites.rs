@@ -88,7 +88,7 @@ impl SiteLists {
 
     /// How much of the surface is in the polygons of each `CellType`, in ten-thousandths of all of it:
     /// told from four points of each triangle, which for our plants is right to half a percent. A part
-    /// without cells belongs to none.
+    /// without cells belongs to none. `mesh`: as it stands on the day of the lists.
     pub fn areas(&self, mesh: &Mesh) -> [u32; 3] {
         let mut areas = [0.0; 3];
         for (triangle, &area) in mesh.areas.iter().enumerate() {

@@ -51,16 +51,12 @@ pub struct Camera {
 }
 
 impl Sphere {
-    /// The ball around the box around a body with all its bare parts.
+    /// The ball around the box around a body with all its bare parts, at all its moments.
     pub fn around(body: &Body) -> Sphere {
-        let points = || {
-            let bare = body.ornaments.iter().flat_map(|o| &o.positions);
-            body.surface.positions.iter().chain(bare)
-        };
-        let low = points().fold(Vec3::INFINITY, |low, &p| low.min(p));
-        let high = points().fold(Vec3::NEG_INFINITY, |high, &p| high.max(p));
+        let low = body.corners().fold(Vec3::INFINITY, Vec3::min);
+        let high = body.corners().fold(Vec3::NEG_INFINITY, Vec3::max);
         let centre = (low + high) * 0.5;
-        let radius = points().map(|p| p.distance(centre)).fold(0.0, f32::max);
+        let radius = body.corners().map(|p| p.distance(centre)).fold(0.0, f32::max);
         Sphere { centre, radius }
     }
 }

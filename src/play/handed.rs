@@ -8,6 +8,8 @@ use crate::plants::{Look, Show};
 pub enum Part {
     /// Corners of body and ground; all other parts are to be handed over anew then.
     Body,
+    /// The corners of a body that moves, as they stand on another day.
+    Shape,
     /// A few numbers: colours, borders, gloss.
     Look,
     /// A diagram in the place of the cells, or none.
@@ -21,6 +23,8 @@ pub enum Part {
 pub struct Wanted<'a> {
     /// Its key.
     pub plant: &'static str,
+    /// The day on which its body stands as it does here. None if it stands still.
+    pub shape: Option<u32>,
     pub look: &'a Look,
     pub show: Show,
     /// Generation and day. None: the cells that are there stay.
@@ -33,6 +37,7 @@ pub struct Wanted<'a> {
 #[derive(Clone, Debug, Default)]
 pub struct Handed {
     plant: Option<&'static str>,
+    shape: Option<u32>,
     look: Option<Look>,
     show: Show,
     cells: Option<(u32, u32)>,
@@ -46,6 +51,8 @@ impl Handed {
     pub fn lacks(&self, wanted: &Wanted) -> Option<Part> {
         if self.plant != Some(wanted.plant) {
             Some(Part::Body)
+        } else if self.shape != wanted.shape {
+            Some(Part::Shape)
         } else if self.look.as_ref() != Some(wanted.look) {
             Some(Part::Look)
         } else if self.show != wanted.show {
@@ -61,7 +68,11 @@ impl Handed {
     /// A part of the picture has been handed over.
     pub fn take(&mut self, part: Part, wanted: &Wanted) {
         match part {
-            Part::Body => *self = Handed { plant: Some(wanted.plant), ..Handed::default() },
+            Part::Body => {
+                let (plant, shape) = (Some(wanted.plant), wanted.shape);
+                *self = Handed { plant, shape, ..Handed::default() };
+            }
+            Part::Shape => self.shape = wanted.shape,
             Part::Look => self.look = Some(wanted.look.clone()),
             Part::Show => self.show = wanted.show,
             Part::Cells => {
@@ -111,6 +122,7 @@ mod tests {
         let (look, mut handed) = (look(), Handed::default());
         let croton = Wanted {
             plant: "croton",
+            shape: None,
             look: &look,
             show: Show::Cells,
             cells: Some((1, 12)),
@@ -138,10 +150,28 @@ mod tests {
     }
 
     #[test]
+    fn a_body_that_moves_takes_its_shape_from_day_to_day() {
+        let (look, mut handed) = (look(), Handed::default());
+        let day = |day| Wanted {
+            plant: "lily",
+            shape: Some(day),
+            look: &look,
+            show: Show::Cells,
+            cells: Some((1, day)),
+            paint: Paint::default(),
+        };
+        assert_eq!(hand(&mut handed, &day(3)), [Part::Body, Part::Look, Part::Cells]);
+        assert_eq!(hand(&mut handed, &day(4)), [Part::Shape, Part::Cells]);
+        let as_made = Wanted { shape: None, show: Show::ControlImages, cells: None, ..day(4) };
+        assert_eq!(hand(&mut handed, &as_made), [Part::Shape, Part::Show]);
+    }
+
+    #[test]
     fn what_is_too_large_leaves_room_for_the_next() {
         let (look, mut handed) = (look(), Handed::default());
         let day = |day| Wanted {
             plant: "croton",
+            shape: None,
             look: &look,
             show: Show::Cells,
             cells: Some((1, day)),

@@ -109,7 +109,7 @@ fn label(scene: &Scene, all: &[Scene]) -> String {
         parts.push(plant.name.to_string());
     }
     let numbers = PARAMETERS.iter().filter(|p| p.is_for(plant) && differs(&|s| p.get(s)));
-    parts.extend(numbers.map(|p| format!("{} {}", p.label(plant), p.get(scene))));
+    parts.extend(numbers.map(|p| format!("{} {}", p.label(plant), p.written(p.get(scene)))));
     if differs(&|s| s.noise.into()) {
         parts.push(if scene.noise { "Perlin noise" } else { "clones" }.to_string());
     }

@@ -10,6 +10,7 @@ pub enum Purpose {
     Angle = 3,
     Length = 4,
     Turn = 5,
+    Width = 6,
 }
 
 /// The key of the root of a body.

@@ -2,6 +2,7 @@
 
 pub mod branching;
 mod chance;
+pub mod flower;
 pub mod leaf;
 mod tube;
 pub mod veins;

@@ -7,9 +7,14 @@ use glam::{DVec3, Vec3};
 /// group of a mesh: quads all along, open at its foot and closed by a polygon at its end. Outside is
 /// counter-clockwise. At least 3 sides.
 pub fn tube(mesh: &mut PolygonMesh, sides: u32, path: &[(DVec3, f64)]) {
-    let group = mesh.groups.len() as u32 - 1;
-    let mut across = DVec3::ZERO;
-    let mut last = 0;
+    walls(mesh, mesh.positions.len() as u32, sides, path.len() as u32);
+    mesh.positions.extend(rings(sides, path, DVec3::ZERO).into_iter().map(point));
+}
+
+/// The corners of a tube, ring by ring. The first of each ring lies in the direction `across`, or in any one if that
+/// is zero.
+pub fn rings(sides: u32, path: &[(DVec3, f64)], mut across: DVec3) -> Vec<DVec3> {
+    let mut corners = Vec::with_capacity(path.len() * sides as usize);
     for (k, &(centre, radius)) in path.iter().enumerate() {
         let along = path[(k + 1).min(path.len() - 1)].0 - path[k.saturating_sub(1)].0;
         let along = along.try_normalize().unwrap_or(DVec3::Y);
@@ -18,22 +23,32 @@ pub fn tube(mesh: &mut PolygonMesh, sides: u32, path: &[(DVec3, f64)]) {
             .try_normalize()
             .unwrap_or_else(|| along.any_orthonormal_vector());
         let other = along.cross(across);
-        let ring = mesh.positions.len() as u32;
         for side in 0..sides {
             let angle = std::f64::consts::TAU * f64::from(side) / f64::from(sides);
             let out = across * libm::cos(angle) + other * libm::sin(angle);
-            mesh.positions.push(point(centre + out * radius));
+            corners.push(centre + out * radius);
         }
-        if k > 0 {
-            for side in 0..sides {
-                let next = (side + 1) % sides;
-                let vertices = vec![last + side, last + next, ring + next, ring + side];
-                mesh.faces.push(Face { vertices, group });
-            }
-        }
-        last = ring;
     }
-    mesh.faces.push(Face { vertices: (last..last + sides).collect(), group });
+    corners
+}
+
+/// The polygons of a tube of so many rings, from the vertex `first` on, in the last group of a mesh; two sides make a
+/// single sheet.
+pub fn walls(mesh: &mut PolygonMesh, first: u32, sides: u32, rings: u32) {
+    let group = mesh.groups.len() as u32 - 1;
+    for ring in (1..rings).map(|k| first + k * sides) {
+        let last = ring - sides;
+        for side in 0..if sides == 2 { 1 } else { sides } {
+            let next = (side + 1) % sides;
+            let vertices = vec![last + side, last + next, ring + next, ring + side];
+            mesh.faces.push(Face { vertices, group });
+        }
+    }
+    if sides == 2 {
+        return;
+    }
+    let end = first + (rings - 1) * sides;
+    mesh.faces.push(Face { vertices: (end..end + sides).collect(), group });
 }
 
 /// A point on a grid of a ten-thousandth of a millimetre: finer than a cell, and short in files.

@@ -1,8 +1,9 @@
 //! A body: the patterned surface of a plant and the bare parts that stand beside it.
 
 use super::veins::Piece;
-use super::{ControlImage, Mesh, Place, PolygonMesh, Veins, Wrap};
+use super::{ControlImage, Mesh, Moment, Motion, Place, PolygonMesh, Veins, Wrap};
 use glam::{Vec2, Vec3};
+use std::borrow::Cow;
 
 /// What a plant is made of.
 #[derive(Clone, Debug)]
@@ -21,6 +22,7 @@ pub struct Ornament {
     pub positions: Vec<Vec3>,
     pub normals: Vec<Vec3>,
     pub triangles: Vec<[u32; 3]>,
+    pub motion: Motion,
 }
 
 /// Why polygons do not make a body.
@@ -36,6 +38,12 @@ pub enum SurfaceError {
     TooLarge,
     #[error("the mesh has no part that carries cells: all materials are bare")]
     AllBare,
+    #[error("the moment of day {day} has {corners} vertices, and the mesh {count}")]
+    OtherCorners { day: f32, corners: usize, count: usize },
+    #[error("the moment of day {0} does not come after the one before it")]
+    OutOfOrder(f32),
+    #[error("on day {0} a triangle has no area")]
+    Flat(f32),
 }
 
 impl Body {
@@ -43,9 +51,11 @@ impl Body {
     /// and joins the triangles to their neighbours.
     ///
     /// # Errors
-    /// A face whose vertex is not there or not finite, and what `Mesh::new` refuses.
+    /// A face whose vertex is not there or not finite, moments that are not of the mesh, not in the order of
+    /// their days or in which a patterned triangle has no area, and what `Mesh::new` refuses.
     pub fn new(polygons: &PolygonMesh) -> Result<Body, SurfaceError> {
         let count = polygons.positions.len();
+        let motion = motion(polygons)?;
         let mut triangles = vec![Vec::new(); polygons.groups.len().max(1)];
         for face in &polygons.faces {
             for &vertex in &face.vertices {
@@ -62,7 +72,7 @@ impl Body {
         for (group, corners) in triangles.into_iter().enumerate() {
             match polygons.bare_name(group) {
                 None => patterned.extend(corners),
-                Some(material) => ornaments.push(ornament(material, polygons, &corners)),
+                Some(material) => ornaments.push(ornament(material, polygons, &motion, &corners)),
             }
         }
         if patterned.is_empty() && !ornaments.is_empty() {
@@ -77,7 +87,32 @@ impl Body {
         };
         let mut surface = Mesh::new(positions, uvs, triangles)?;
         surface.veins = Veins::new(pieces(polygons)?, &surface);
-        Ok(Body { surface, ornaments })
+        surface.motion = motion.of(&old);
+        match surface.flattened() {
+            Some(day) => Err(SurfaceError::Flat(day)),
+            None => Ok(Body { surface, ornaments }),
+        }
+    }
+
+    /// The body as it stands on a day.
+    pub fn on(&self, day: u32) -> Cow<'_, Body> {
+        match self.surface.on(day) {
+            Cow::Borrowed(_) => Cow::Borrowed(self),
+            Cow::Owned(surface) => {
+                let ornaments = self.ornaments.iter().map(|part| part.on(day)).collect();
+                Cow::Owned(Body { surface, ornaments })
+            }
+        }
+    }
+
+    /// Where a corner of it ever is, at all its moments.
+    pub fn corners(&self) -> impl Iterator<Item = Vec3> {
+        let bare = self.ornaments.iter().map(|part| (&part.positions, &part.motion));
+        let parts = [(&self.surface.positions, &self.surface.motion)].into_iter().chain(bare);
+        parts.flat_map(|(positions, motion)| {
+            let moments = motion.moments().iter().flat_map(|moment| &moment.positions);
+            positions.iter().chain(moments).copied()
+        })
     }
 
     /// No pattern where a control image is black (Thesis 3.2.3): the triangles whose centres lie
@@ -114,12 +149,14 @@ impl Body {
             positions: of_old(&whole.positions, &old),
             normals: of_old(&whole.normals, &old),
             triangles,
+            motion: whole.motion.of(&old),
         };
         let (old, triangles) = cut(&kept);
         let uvs = old.iter().filter_map(|&v| whole.uvs.get(v as usize).copied()).collect();
         let mut surface = Mesh::new(of_old(&whole.positions, &old), uvs, triangles)?;
         surface.normals = of_old(&whole.normals, &old);
         surface.veins = Veins::new(whole.veins.pieces.clone(), &surface);
+        surface.motion = whole.motion.of(&old);
         self.surface = surface;
         self.ornaments.push(bare);
         Ok(self)
@@ -155,11 +192,45 @@ pub(super) fn triangulate(positions: &[Vec3], corners: &[u32], out: &mut Vec<[u3
     }
 }
 
-fn ornament(material: &str, polygons: &PolygonMesh, corners: &[[u32; 3]]) -> Ornament {
+impl Ornament {
+    /// The part as it stands on a day.
+    pub fn on(&self, day: u32) -> Ornament {
+        let Some(positions) = self.motion.on(day as f32) else { return self.clone() };
+        let normals = super::mesh::vertex_normals(&positions, &self.triangles);
+        Ornament { positions, normals, motion: Motion::default(), ..self.clone() }
+    }
+}
+
+/// The ways of all vertices.
+fn motion(polygons: &PolygonMesh) -> Result<Motion, SurfaceError> {
+    let count = polygons.positions.len();
+    let mut last_day = f32::NEG_INFINITY;
+    for Moment { day, positions } in &polygons.moments {
+        if positions.len() != count {
+            return Err(SurfaceError::OtherCorners { day: *day, corners: positions.len(), count });
+        }
+        if let Some(vertex) = positions.iter().position(|p| !p.is_finite()) {
+            return Err(SurfaceError::NotFinite { vertex: vertex as u32 });
+        }
+        if !(*day > last_day && day.is_finite()) {
+            return Err(SurfaceError::OutOfOrder(*day));
+        }
+        last_day = *day;
+    }
+    Ok(Motion::new(polygons.moments.clone()))
+}
+
+fn ornament(
+    material: &str,
+    polygons: &PolygonMesh,
+    motion: &Motion,
+    corners: &[[u32; 3]],
+) -> Ornament {
     let (old, triangles) = compact(corners);
     let positions: Vec<Vec3> = old.iter().map(|&v| polygons.positions[v as usize]).collect();
     let normals = super::mesh::vertex_normals(&positions, &triangles);
-    Ornament { material: material.to_string(), positions, normals, triangles }
+    let motion = motion.of(&old);
+    Ornament { material: material.to_string(), positions, normals, triangles, motion }
 }
 
 /// Renumbers the vertices in the order of their first use; returns the old numbers as well.

@@ -29,6 +29,12 @@ impl Laid {
         Laid { origin: a, edge1: b - a, edge2: c - a }
     }
 
+    /// In a plane that is so many times larger.
+    pub fn scaled(self, scale: f32) -> Laid {
+        let Laid { origin, edge1, edge2 } = self;
+        Laid { origin: origin * scale, edge1: edge1 * scale, edge2: edge2 * scale }
+    }
+
     /// A place of the triangle, given by its `b1` and `b2`, as a point of the plane.
     pub fn point(&self, b1: f32, b2: f32) -> Vec2 {
         self.origin + self.edge1 * b1 + self.edge2 * b2

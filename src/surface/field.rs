@@ -1,7 +1,7 @@
 //! The direction field: a unit vector in the plane of each triangle, led by a few control vectors
 //! through radial basis functions (Thesis 3.2.4).
 
-use super::Mesh;
+use super::{Frame, Mesh};
 use glam::{DVec3, Vec2, Vec3};
 
 /// A control vector on a triangle.
@@ -70,6 +70,20 @@ impl DirectionField {
         };
         let directions = (0..count as u32).map(|t| direction(t).unwrap_or(Vec2::ZERO)).collect();
         Ok(DirectionField { directions })
+    }
+
+    /// The same field on a mesh of the same triangles whose corners have moved: a line along it that is drawn
+    /// on the skin goes with the skin.
+    pub fn carried(&self, rest: &Mesh, moved: &Mesh) -> DirectionField {
+        let carry = |direction: Vec2, from: &Frame, to: &Frame| {
+            let [b1, b2] = from.barycentric(direction).to_array();
+            let [x, y] = to.point(b1, b2).to_array();
+            let length = (x * x + y * y).sqrt();
+            if length > 0.0 { Vec2::new(x / length, y / length) } else { Vec2::ZERO }
+        };
+        let frames = rest.frames.iter().zip(&moved.frames);
+        let carried = self.directions.iter().zip(frames).map(|(&d, (from, to))| carry(d, from, to));
+        DirectionField { directions: carried.collect() }
     }
 
     /// The unit vector of a triangle in its own frame, or zero where there is no direction.

@@ -1,7 +1,7 @@
 //! A triangle mesh with half-edges, and a flat frame on each of its triangles.
 
 use super::lengths::normalized;
-use super::{SurfaceError, Veins};
+use super::{Motion, SurfaceError, Veins};
 use glam::{Vec2, Vec3};
 
 /// Marks a half-edge on the rim of an open surface.
@@ -50,6 +50,9 @@ pub struct Mesh {
     pub area: f32,
     /// Those that a body has on it.
     pub veins: Veins,
+    /// The ways of its corners, if it moves: then it stands here as it was made, which is what images, veins
+    /// and fields lie on.
+    pub motion: Motion,
 }
 
 impl Mesh {
@@ -72,28 +75,35 @@ impl Mesh {
         let mut partners = partners(&triangles);
         let parts = orient(&mut triangles, &mut partners);
         let twins = twins(&triangles, partners);
-        let frames: Vec<Frame> = triangles.iter().map(|t| frame(corners(&positions, t))).collect();
-        let turns = (0..twins.len()).map(|h| turn(&frames, &twins, h)).collect();
-        let areas: Vec<f32> = frames.iter().map(|f| 0.5 * f.length * f.apex.y).collect();
-        let area = areas.iter().map(|&a| f64::from(a)).sum::<f64>() as f32;
-        if !(area * area).is_finite() {
-            return Err(SurfaceError::TooLarge);
-        }
-        let normals = vertex_normals(&positions, &triangles);
-        let veins = Veins::default();
-        Ok(Mesh {
+        let mut mesh = Mesh {
             positions,
-            normals,
+            normals: Vec::new(),
             uvs,
             triangles,
             twins,
             parts,
-            frames,
-            turns,
-            areas,
-            area,
-            veins,
-        })
+            frames: Vec::new(),
+            turns: Vec::new(),
+            areas: Vec::new(),
+            area: 0.0,
+            veins: Veins::default(),
+            motion: Motion::default(),
+        };
+        mesh.measure();
+        if !(mesh.area * mesh.area).is_finite() {
+            return Err(SurfaceError::TooLarge);
+        }
+        Ok(mesh)
+    }
+
+    /// Takes frames, turns, areas and normals from the positions.
+    pub(super) fn measure(&mut self) {
+        let Mesh { positions, triangles, twins, frames, .. } = self;
+        *frames = triangles.iter().map(|t| frame(corners(positions, t))).collect();
+        self.turns = (0..twins.len()).map(|h| turn(frames, twins, h)).collect();
+        self.areas = frames.iter().map(|f| 0.5 * f.length * f.apex.y).collect();
+        self.area = self.areas.iter().map(|&a| f64::from(a)).sum::<f64>() as f32;
+        self.normals = vertex_normals(positions, triangles);
     }
 
     /// The corners of a triangle in space.
@@ -211,7 +221,7 @@ fn corners(positions: &[Vec3], t: &[u32; 3]) -> [Vec3; 3] {
     t.map(|v| positions[v as usize])
 }
 
-fn has_area(positions: &[Vec3], t: &[u32; 3]) -> bool {
+pub(super) fn has_area(positions: &[Vec3], t: &[u32; 3]) -> bool {
     let [a, b, c] = corners(positions, t);
     let longest = (b - a).length_squared().max((c - a).length_squared());
     // Below a ten-millionth of the edge's square the direction of the apex is rounding noise.

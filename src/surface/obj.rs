@@ -1,5 +1,6 @@
 //! Polygon meshes as they stand in Wavefront OBJ files: read and written.
 
+use super::Moment;
 use super::obj_reader::read;
 use glam::{DVec3, Vec2, Vec3};
 use std::collections::HashMap;
@@ -17,6 +18,8 @@ pub struct PolygonMesh {
     pub groups: Vec<Group>,
     /// Veins.
     pub lines: Vec<Line>,
+    /// Where the vertices are on some days, if they move.
+    pub moments: Vec<Moment>,
 }
 
 /// One polygon: its corners counter-clockwise seen from outside (or from above, on a leaf).
@@ -57,7 +60,9 @@ impl PolygonMesh {
     /// Reads an OBJ text: `v`, `vt`, `f` or its old name `fo` (any polygon, `v`, `v/vt`, `v//vn`,
     /// `v/vt/vn`, negative indices), `g`/`o`, `usemtl`, `l` under a material `vein:ORDER`, numbers that a
     /// backslash continues on the next line; everything else is passed over (normals, vertex colours, the
-    /// weight `w`, other lines, smoothing groups, faces of fewer than three corners).
+    /// weight `w`, other lines, smoothing groups, faces of fewer than three corners). For other programs the moments
+    /// of a mesh are comments: after `#moment DAY` follow the vertices of that day in their order, each as
+    /// `#v x y z`; without any, the vertices are those of the mesh itself.
     ///
     /// Positions are rounded to f32 and may be infinite or NaN. Texture coordinates are kept if no
     /// position has two of them; a position without any has `(0, 0)` then. Those that are no finite
@@ -135,6 +140,12 @@ impl PolygonMesh {
                 text.push('\n');
             }
         }
+        for Moment { day, positions } in &self.moments {
+            let _ = writeln!(text, "#moment {day}");
+            for p in positions.iter().filter(|_| *positions != self.positions) {
+                let _ = writeln!(text, "#v {} {} {}", p.x, p.y, p.z);
+            }
+        }
         text
     }
 }
@@ -148,9 +159,13 @@ mod tests {
         let parse = |text: &str| PolygonMesh::parse(text).unwrap();
         let mesh = parse(
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.1 -2.5e-7 3e5\nvt 0 0\nvt -1 0.3\nvt 1 0.3\ng a\nusemtl x\nf 1/1 2/2 3/3\n\
-             usemtl bare:y\nf 4 5 1\nusemtl x\nf 3/3 4/1 1/1 2/2\nusemtl vein:1\nl 1 2 3\nl 5 4\nusemtl vein:12\nl 2 5\n",
+             usemtl bare:y\nf 4 5 1\nusemtl x\nf 3/3 4/1 1/1 2/2\nusemtl vein:1\nl 1 2 3\nl 5 4\nusemtl vein:12\nl 2 5\n\
+             #moment 0\n#v 0 0 1\n#v 1 0 1\n#v 1 1 1\n#v 0 1 1\n#v 0 0 0.5\n#moment 2.5\n",
         );
         assert_eq!((mesh.uvs.len(), mesh.lines.len()), (5, 3));
+        assert_eq!(mesh.moments.iter().map(|moment| moment.day).collect::<Vec<_>>(), [0.0, 2.5]);
+        assert_eq!(mesh.moments[0].positions[4], Vec3::new(0.0, 0.0, 0.5));
+        assert_eq!(mesh.moments[1].positions, mesh.positions);
         assert_eq!(parse(&mesh.to_obj()), mesh);
     }
 }

@@ -1,7 +1,7 @@
 //! OBJ text, statement by statement.
 
-use super::{Face, Group, Line, ObjError, PolygonMesh, decimal, quoted};
-use glam::{DVec3, Vec2};
+use super::{Face, Group, Line, Moment, ObjError, PolygonMesh, decimal, quoted};
+use glam::{DVec3, Vec2, Vec3};
 use std::collections::HashMap;
 
 /// The positions of a text, and a mesh without them: what `PolygonMesh::parse` says.
@@ -52,6 +52,8 @@ struct Reader {
     group_numbers: HashMap<(String, String), u32>,
     /// The largest position that a face has named, and its line: a face may stand before its vertices.
     farthest: (u32, usize),
+    /// The line of the last moment.
+    last_moment: usize,
 }
 
 impl Reader {
@@ -76,6 +78,18 @@ impl Reader {
             Some("l") => self.read_vein(words, line)?,
             Some("g" | "o") => self.part = name(statement),
             Some("usemtl") => self.material = name(statement),
+            Some("#moment") => {
+                let day = number(words.next())? as f32;
+                self.mesh.moments.push(Moment { day, positions: Vec::new() });
+                self.last_moment = line;
+            }
+            // Without a moment it is a comment like any other.
+            Some("#v") => {
+                if let Some(moment) = self.mesh.moments.last_mut() {
+                    let mut next = || number(words.next()).map(|number| number as f32);
+                    moment.positions.push(Vec3::new(next()?, next()?, next()?));
+                }
+            }
             _ => {}
         }
         Ok(())
@@ -136,7 +150,8 @@ impl Reader {
     }
 
     fn finish(self) -> Result<(Vec<DVec3>, PolygonMesh), ObjError> {
-        let Reader { positions, mut mesh, uvs, corner_uvs, farthest: (largest, line), .. } = self;
+        let Reader { positions, mut mesh, uvs, corner_uvs, farthest, last_moment, .. } = self;
+        let (largest, line) = farthest;
         if mesh.faces.is_empty() {
             return Err(ObjError::NoFaces);
         }
@@ -146,6 +161,16 @@ impl Reader {
             return Err(ObjError::Line { line, what });
         }
         mesh.uvs = uvs_of_positions(count, &uvs, &corner_uvs).unwrap_or_default();
+        for Moment { day, positions: then } in &mut mesh.moments {
+            if then.is_empty() {
+                *then = positions.iter().map(|p| p.as_vec3()).collect();
+            }
+            if then.len() != count {
+                let (line, then) = (last_moment, then.len());
+                let what = format!("there are {count} vertices, but {then} on day {day}");
+                return Err(ObjError::Line { line, what });
+            }
+        }
         Ok((positions, mesh))
     }
 }

@@ -1,13 +1,19 @@
-//! Meshes as they are downloaded: OBJ texts in which the numbers of a `v`, `vt`, `f` or `l` line are differences
+//! Meshes as they are downloaded: OBJ texts in which the numbers of a `v`, `vt`, `f`, `l` or `#v` line are differences
 //! from those in the line of the same kind before, coordinates in hundredths. `meshes/pack.awk` writes them,
 //! when the page is built: they compress to two fifths of what the OBJ files do.
 
 /// The kinds of lines that are packed, and what their numbers are whole parts of.
-const KINDS: [(&str, i32); 4] = [("v", 100), ("vt", 100), ("f", 1), ("l", 1)];
+const KINDS: [(&str, i32); 5] = [("v", 100), ("vt", 100), ("f", 1), ("l", 1), ("#v", 100)];
+
+/// How a text begins that is not packed.
+pub const PLAIN: &str = "# plain ";
 
 /// The OBJ text that was packed. Lines that are none of ours are left as they are, for whoever reads the
 /// text to refuse.
 pub fn unpack(packed: &str) -> String {
+    if packed.starts_with(PLAIN) {
+        return packed.to_string();
+    }
     let mut text = String::with_capacity(2 * packed.len());
     let mut before: [Vec<i32>; KINDS.len()] = Default::default();
     for line in packed.lines() {

@@ -1,11 +1,13 @@
 //! The course of a step: as far as the recipe's anisotropy says, it follows the direction field
 //! (Thesis 3.2.4).
 
-use crate::surface::{DirectionField, length};
+use crate::surface::{DirectionField, Mesh, length};
 use glam::Vec2;
 
 /// A direction field and the weight that it has.
 pub struct Course {
+    /// On the body as it was made.
+    rest: DirectionField,
     field: DirectionField,
     /// 0: steps go where the cells are pushed; 1: they follow the field.
     anisotropy: f32,
@@ -13,7 +15,12 @@ pub struct Course {
 
 impl Course {
     pub fn new(field: DirectionField, anisotropy: f32) -> Course {
-        Course { field, anisotropy }
+        Course { rest: field.clone(), field, anisotropy }
+    }
+
+    /// Takes the field along with a body that moves: `rest` as it was made, `mesh` as it stands now.
+    pub fn lead(&mut self, rest: &Mesh, mesh: &Mesh) {
+        self.field = self.rest.carried(rest, mesh);
     }
 
     /// Turns the step of a cell, in the frame of its triangle: `(1 - w) d + w |d| v`. Where the
@@ -31,7 +38,7 @@ impl Course {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::{Guide, Mesh};
+    use crate::surface::Guide;
     use glam::Vec3;
 
     #[test]

@@ -14,7 +14,9 @@ const CHILD_DISC: f64 = 0.01;
 
 /// What divisions depend on beside the cells themselves.
 pub struct Setting<'a> {
+    /// The body on the day of the divisions, and as images lie on it.
     pub mesh: &'a Mesh,
+    pub rest: &'a Mesh,
     pub recipe: &'a Recipe,
     pub controls: &'a [Control],
 }
@@ -135,7 +137,7 @@ impl Setting<'_> {
     /// The mean days to the next division of a cell whose clock is wound at a place.
     fn division_days(&self, kind: CellType, place: Place) -> f64 {
         let factors =
-            self.controls.iter().map(|c| c.factor(self.mesh, place, Scaled::DivisionDays(kind)));
+            self.controls.iter().map(|c| c.factor(self.rest, place, Scaled::DivisionDays(kind)));
         self.recipe.division_days[kind as usize] * factors.product::<f64>()
     }
 }
@@ -161,7 +163,7 @@ mod tests {
         let mesh = Mesh::new(triangle, Vec::new(), vec![[0, 1, 2]]).unwrap();
         for clock in [Clock::Poisson, Clock::Exponential] {
             let recipe = Recipe { clock, division_days: [3.0; 3], days: 9, ..Recipe::DEFAULT };
-            let setting = Setting { mesh: &mesh, recipe: &recipe, controls: &[] };
+            let setting = Setting { mesh: &mesh, rest: &mesh, recipe: &recipe, controls: &[] };
             let founder = |k| {
                 let kind = CellType::Foreground;
                 Lineage { parent: k, founder: k, born_day: 0, kind }

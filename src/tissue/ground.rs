@@ -20,9 +20,11 @@ pub enum Ground {
 }
 
 impl Ground {
-    /// The forces of a day whose repulsive radius is made for so many cells.
+    /// The forces of a day whose repulsive radius is made for so many cells. `mesh`: the body on that day;
+    /// `rest`: as images lie on it.
     pub fn new(
         mesh: &Mesh,
+        rest: &Mesh,
         recipe: &Recipe,
         controls: &[Control],
         cells: usize,
@@ -34,7 +36,7 @@ impl Ground {
         }
         let local = |triangle| {
             let middle = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
-            let factor = |number| controls.iter().map(|c| c.factor(mesh, middle, number)).product();
+            let factor = |number| controls.iter().map(|c| c.factor(rest, middle, number)).product();
             forces(&recipe.scaled(&factor))
         };
         Ground::Uneven((0..mesh.triangles.len() as u32).map(local).collect())

@@ -7,12 +7,16 @@ use super::ground::Ground;
 use super::relax::Crowd;
 use super::{CellType, Control, Day, Diary, Lineage, Recipe, RecipeError, control};
 use crate::surface::{DirectionField, Mesh, Place};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A run under way: it can be taken one relaxation event at a time, so that whoever drives it
 /// decides when to look up.
 pub struct Growth {
     pub diary: Diary,
+    /// The body as it was made, which images and fields lie on.
+    rest: Arc<Mesh>,
+    /// The body on the day under way: the same if it stands still.
     mesh: Arc<Mesh>,
     recipe: Recipe,
     controls: Vec<Control>,
@@ -45,7 +49,8 @@ pub enum Progress {
 
 impl Growth {
     /// Sows the first cells (Thesis 3.2.1.1) under the control images of the body, which are taken
-    /// in their order.
+    /// in their order. Where the body moves, cells keep their triangles and barycentric coordinates, and the
+    /// repulsive radius goes by the area of each day.
     pub fn new(
         mesh: Arc<Mesh>,
         recipe: Recipe,
@@ -54,13 +59,15 @@ impl Growth {
     ) -> Result<Growth, RecipeError> {
         recipe.check()?;
         control::check(&recipe, controls)?;
-        let (lineage, places) = sow(&mesh, &recipe, controls, seed);
-        let setting = Setting { mesh: &mesh, recipe: &recipe, controls };
+        let (rest, mesh) = (Arc::clone(&mesh), on(&mesh, 0));
+        let (lineage, places) = sow(&mesh, &rest, &recipe, controls, seed);
+        let setting = Setting { mesh: &mesh, rest: &rest, recipe: &recipe, controls };
         let clocks = Clocks::new(&setting, seed, &lineage, &places);
         Ok(Growth {
             diary: Diary { lineage, days: Vec::new() },
             crowd: Crowd::default(),
-            ground: Ground::new(&mesh, &recipe, controls, places.len(), 0),
+            ground: Ground::new(&mesh, &rest, &recipe, controls, places.len(), 0),
+            rest,
             mesh,
             recipe,
             controls: controls.to_vec(),
@@ -79,7 +86,17 @@ impl Growth {
     pub fn along(mut self, field: DirectionField) -> Growth {
         let anisotropy = self.recipe.anisotropy;
         self.course = (anisotropy > 0.0).then(|| Course::new(field, anisotropy));
+        self.lead();
         self
+    }
+
+    /// Takes the direction field along with the body.
+    fn lead(&mut self) {
+        if let Some(course) = &mut self.course
+            && self.rest.scale_to(&self.mesh).is_none()
+        {
+            course.lead(&self.rest, &self.mesh);
+        }
     }
 
     /// The parts of the body, in their order, unfold on these days, and those that are not named on
@@ -151,8 +168,8 @@ impl Growth {
     /// children that were born already are forgotten.
     fn divide(&mut self, day: usize) -> bool {
         let cells = self.places.len();
-        let lineage = &mut self.diary.lineage;
-        let setting = Setting { mesh: &self.mesh, recipe: &self.recipe, controls: &self.controls };
+        let Growth { mesh, rest, recipe, controls, diary, .. } = self;
+        let (setting, lineage) = (Setting { mesh, rest, recipe, controls }, &mut diary.lineage);
         let within_cap = self.clocks.divide(&setting, day, &self.ground, lineage, &mut self.places);
         if !within_cap {
             self.places.truncate(cells);
@@ -169,6 +186,24 @@ impl Growth {
         self.crowd.gather(&self.mesh, &self.places, kind, self.ground.reach_cm());
     }
 
+    /// Brings the body to where it stands on a day. What was laid flat of it holds until its shape changes:
+    /// growth that is everywhere the same leaves a pattern as it is.
+    fn move_body(&mut self, day: usize) {
+        let moved = on(&self.rest, day);
+        if moved.positions == self.mesh.positions {
+            return;
+        }
+        let scale = self.mesh.scale_to(&moved);
+        self.mesh = moved;
+        match scale {
+            Some(scale) => self.crowd.scale_ground(scale),
+            None => {
+                self.crowd.forget_ground();
+                self.lead();
+            }
+        }
+    }
+
     /// Writes the day down and renews the forces with the repulsive radius.
     fn end_day(&mut self) {
         let day = self.diary.days.len();
@@ -183,8 +218,10 @@ impl Growth {
             }
         }
         let cells = places.len();
-        self.ground = Ground::new(&self.mesh, &self.recipe, &self.controls, cells, day + 1);
         let repulsive_radius = self.recipe.repulsive_radius_cm(self.mesh.area, cells);
+        self.move_body(day + 1);
+        let Growth { mesh, rest, recipe, controls, .. } = &*self;
+        self.ground = Ground::new(mesh, rest, recipe, controls, cells, day + 1);
         // Into the memory that is there.
         self.places.clone_from(&places);
         self.diary.days.push(Day { places, repulsive_radius });
@@ -192,9 +229,18 @@ impl Growth {
     }
 }
 
+/// A body as it stands on a day.
+fn on(rest: &Arc<Mesh>, day: usize) -> Arc<Mesh> {
+    match rest.on(day as u32) {
+        Cow::Borrowed(_) => Arc::clone(rest),
+        Cow::Owned(moved) => Arc::new(moved),
+    }
+}
+
 /// The first cells: places uniform by area, types by their probabilities.
 fn sow(
     mesh: &Mesh,
+    rest: &Mesh,
     recipe: &Recipe,
     controls: &[Control],
     seed: u32,
@@ -218,7 +264,7 @@ fn sow(
             let drawn = pick(&recipe.initial_probability, chance(Purpose::FirstType));
             let kind = controls
                 .iter()
-                .fold(CellType::from_index(drawn as u8), |k, c| c.first_type(mesh, place, k));
+                .fold(CellType::from_index(drawn as u8), |k, c| c.first_type(rest, place, k));
             (Lineage { parent: number, founder: number, born_day: 0, kind }, place)
         })
         .unzip()

@@ -109,6 +109,22 @@ impl Plan {
         }
     }
 
+    /// The plan of the same mesh that is so many times larger: by a power of two, the same to the last bit.
+    pub(super) fn scale(&mut self, scale: f32) {
+        self.radius *= scale;
+        self.bins.sizes.iter_mut().for_each(|size| *size *= scale);
+        for own in &mut self.own {
+            own.laid = own.laid.scaled(scale);
+            own.to_barycentric = own.to_barycentric.map(|per_cm| per_cm / scale);
+        }
+        for patch in &mut self.patches {
+            (patch.low, patch.high) = (patch.low * scale, patch.high * scale);
+            for run in &mut patch.around {
+                run.laid = run.laid.scaled(scale);
+            }
+        }
+    }
+
     /// The number of bins on the whole mesh.
     pub(super) fn bins_in_all(&self) -> usize {
         self.order.len() * self.bins.in_triangle()

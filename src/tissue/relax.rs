@@ -62,6 +62,16 @@ impl Crowd {
         self.hands = Hands::new(threads);
     }
 
+    /// The body is so many times larger than it was, and of the same shape.
+    pub fn scale_ground(&mut self, scale: f32) {
+        self.plan.scale(scale);
+    }
+
+    /// The body has another shape: nothing of how it was laid flat holds any more.
+    pub fn forget_ground(&mut self) {
+        self.plan = Plan::default();
+    }
+
     /// Walks that ended among slivers instead of where they were going.
     pub fn caught_walks(&self) -> u64 {
         self.hands.caught_walks()

@@ -7,6 +7,8 @@
 
 mod axe;
 mod back;
+mod base64;
+mod bring_in;
 mod class;
 mod clones;
 mod embedding;

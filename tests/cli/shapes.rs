@@ -172,6 +172,57 @@ fn the_kinds_of_the_gallery_are_what_their_names_say() {
 }
 
 #[test]
+fn a_flower_is_told_in_numbers_and_opens_from_day_to_day() {
+    let lotus = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/flowers/lotus.json");
+    let stats = |more: &[&str]| json(&[&["shape", "flower", "--stats"], more].concat());
+    let count = |stats: &Value, key: &str| stats[key].as_u64().unwrap();
+    let parts = ["petals", "sepals", "stamens", "pistils"];
+    let lily = stats(&[]);
+    assert_eq!(parts.map(|part| count(&lily, part)), [6, 0, 6, 1]);
+    assert_eq!(lily["day"], 4.0);
+    assert_eq!(parts.map(|part| count(&stats(&["--numbers", lotus]), part)), [17, 0, 26, 17]);
+    // It grows without a step back from its bud to the flower.
+    let area = |day: &str| stats(&["--day", day])["area_cm2"].as_f64().unwrap();
+    let areas = ["0", "1", "1.5", "2", "3", "4"].map(area);
+    assert!(areas.windows(2).all(|pair| pair[0] < pair[1]), "{areas:?}");
+    assert_eq!(areas[5], lily["area_cm2"].as_f64().unwrap());
+    let told = succeed(&["shape", "flower", "--individual", "3", "--day", "0"]);
+    assert!(told.starts_with("flower of 6 petals, individual 3, day 0: "), "{told}");
+    assert!(told.ends_with(" cm\u{b2}, 6 stamens, 1 pistils\n") && told.lines().count() == 1);
+}
+
+#[test]
+fn a_flower_is_written_as_a_mesh_with_its_parts() {
+    let (one, other, bud) = (path("flower-1.obj"), path("flower-2.obj"), path("bud.obj"));
+    for out in [&one, &other] {
+        succeed(&["shape", "flower", "--individual", "7", "--obj", out]);
+    }
+    succeed(&["shape", "flower", "--individual", "7", "--day", "0", "--obj", &bud]);
+    let [text, again, closed] = [&one, &other, &bud].map(|p| std::fs::read_to_string(p).unwrap());
+    assert_eq!(text, again, "the same flower twice");
+    for line in [
+        "g petal 6",
+        "usemtl petal",
+        "usemtl bare:filament",
+        "usemtl bare:anther",
+        "usemtl bare:pistil",
+        "usemtl bare:pedicel",
+    ] {
+        assert!(text.lines().any(|l| l == line), "{line}");
+    }
+    // The bud has the same faces in other places.
+    let of = |text: &str, kind: &str| -> Vec<String> {
+        text.lines().filter(|line| line.starts_with(kind)).map(str::to_string).collect()
+    };
+    assert_eq!(of(&text, "f "), of(&closed, "f "));
+    assert_eq!(of(&text, "v ").len(), of(&closed, "v ").len());
+    assert_ne!(of(&text, "v "), of(&closed, "v "));
+    let recipe = file("on-flower.json", crate::SMALL);
+    let grown = json(&["grow", "--mesh", &one, "--recipe", &recipe, "--day", "1", "--json"]);
+    assert!(grown["days"][1]["cells"].as_u64() >= Some(60));
+}
+
+#[test]
 fn wrong_numbers_are_refused_on_one_line() {
     let no_json = file("no-shape.json", "order = 3");
     let unknown = file("unknown-shape.json", "{\"height\": 3}");
@@ -181,9 +232,10 @@ fn wrong_numbers_are_refused_on_one_line() {
     let endless = file("endless-rows.json", "[[1, 0]]");
     let nameless = file("nameless.json", "{\"matrix\": \"oak\"}");
     let even = file("even.json", "{\"lobes\": 4}");
+    let upside = file("upside.json", "{\"nod_deg\": 200}");
     let folder = env!("CARGO_TARGET_TMPDIR");
     for (arguments, words) in [
-        (&[][..], "mosaic shape leaf or tree"),
+        (&[][..], "mosaic shape leaf, flower or tree"),
         (&["bush"], "bush"),
         (&["tree", "--order", "0"], "--order is 0"),
         (&["tree", "--order", "13"], "from 1 to 12"),
@@ -210,6 +262,17 @@ fn wrong_numbers_are_refused_on_one_line() {
         (&["leaf", "--numbers", &unknown], "unknown field `height`"),
         (&["leaf", "--numbers", &even], "even.json: lobes is 4: it must be an odd number"),
         (&["leaf", "--obj", "no/such/folder.obj"], "folder.obj"),
+        (&["flower", "--numbers", "missing.json"], "missing.json"),
+        (&["flower", "--numbers", &unknown], "unknown field `height`"),
+        (
+            &["flower", "--numbers", &upside],
+            "upside.json: nod_deg is 200: it must be from 0 to 180",
+        ),
+        (&["flower", "--day", "5"], "--day is 5: it must be from 0 to 4"),
+        (&["flower", "--day", "-1"], "--day is -1: it must be from 0 to 4"),
+        (&["flower", "--day", "soon"], "--day"),
+        (&["flower", "--obj", "no/such/folder.obj"], "folder.obj"),
+        (&["leaf", "--day", "1"], "--day"),
     ] {
         let arguments = [&["shape"], arguments].concat();
         let output = mosaic(&arguments);

@@ -10,6 +10,7 @@ mod forces;
 mod growth;
 mod meshes;
 mod mosaic;
+mod moving;
 mod original;
 mod pattern;
 mod population;

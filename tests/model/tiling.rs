@@ -87,7 +87,7 @@ fn exported_colours_are_those_of_the_nearest_sites_of_the_lists() {
         let controls = plant.controls();
         let lists = SiteFinder::new(&mesh).coloured(plant.controls()).find(&mesh, &diary, day);
         let specimen = Specimen::new(
-            (&mesh, &body.ornaments),
+            (&mesh, &mesh, &body.ornaments),
             &plant.look,
             &controls,
             (&diary, day),

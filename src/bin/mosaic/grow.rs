@@ -69,7 +69,7 @@ pub fn grow(options: &GrowOptions) -> Result<(), Refusal> {
         let painted = paint(&subject, &growth.diary, last);
         let origin = subject.reading.map_or(DVec3::ZERO, |reading| reading.origin);
         let diary = painted.as_ref().unwrap_or(&growth.diary);
-        table.write(|out| write_cells(&subject.mesh, origin, diary, last, out))?;
+        table.write(|out| write_cells(&subject.mesh.on(last as u32), origin, diary, last, out))?;
     }
     say(&if options.json { report.to_json() } else { report.summary() })
 }

@@ -6,6 +6,7 @@ use super::output::{Target, cannot, say};
 use clap::{Args, Subcommand};
 use clonal_mosaic::shapes::ShapeError;
 use clonal_mosaic::shapes::branching::{Census, Matrix, Ramification, Tree, TreeNumbers, bark};
+use clonal_mosaic::shapes::flower::{Flower, FlowerNumbers};
 use clonal_mosaic::shapes::leaf::{Leaf, LeafNumbers, Limb};
 use clonal_mosaic::surface::PolygonMesh;
 use serde::Serialize;
@@ -24,6 +25,8 @@ pub struct ShapeOptions {
 enum Shape {
     /// A leaf of lobes with veins, and coordinates that belong to it
     Leaf(LeafOptions),
+    /// A flower that opens, from the strokes of its petals
+    Flower(FlowerOptions),
     /// A tree drawn from a ramification matrix
     Tree(TreeOptions),
 }
@@ -32,6 +35,15 @@ enum Shape {
 struct LeafOptions {
     #[command(flatten)]
     body: BodyOptions,
+}
+
+#[derive(Args)]
+struct FlowerOptions {
+    #[command(flatten)]
+    body: BodyOptions,
+    /// The flower's own day, from 0, its bud, to the one on which it is open
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    day: Option<f64>,
 }
 
 #[derive(Args)]
@@ -70,6 +82,7 @@ struct BodyOptions {
 pub fn shape(options: &ShapeOptions) -> Result<(), Refusal> {
     match &options.what {
         Shape::Leaf(options) => leaf(&options.body),
+        Shape::Flower(options) => flower(options),
         Shape::Tree(options) => tree(options),
     }
 }
@@ -109,6 +122,46 @@ fn leaf(body: &BodyOptions) -> Result<(), Refusal> {
         stats.area_cm2,
         leaf.plan.veins.len(),
         stats.vein_length_cm
+    );
+    body.tell(&stats, &line)
+}
+
+/// What is told of a flower.
+#[derive(Serialize)]
+struct FlowerStats {
+    day: f64,
+    petals: u32,
+    sepals: u32,
+    stamens: u32,
+    pistils: u32,
+    /// Of the petals on that day, one side of them.
+    area_cm2: f64,
+}
+
+fn flower(options: &FlowerOptions) -> Result<(), Refusal> {
+    let body = &options.body;
+    let numbers = body.read(FlowerNumbers::from_json)?;
+    let day = options.day.unwrap_or(numbers.open_day);
+    if !(0.0..=numbers.open_day).contains(&day) {
+        return Err(format!("--day is {day}: it must be from 0 to {}", numbers.open_day));
+    }
+    let target = body.target()?;
+    let flower = Flower::new(&numbers, body.individual).map_err(|e| e.to_string())?;
+    let time = day / numbers.open_day;
+    if let Some(target) = target {
+        write(target, &PolygonMesh { positions: flower.at(time), ..flower.mesh() })?;
+    }
+    let stats = FlowerStats {
+        day,
+        petals: numbers.petals.arrangement.count(),
+        sepals: numbers.sepals.map_or(0, |sepals| sepals.arrangement.count()),
+        stamens: numbers.stamens.map_or(0, |stamens| stamens.count),
+        pistils: u32::from(numbers.pistil.is_some()) + numbers.receptacle.map_or(0, |r| r.carpels),
+        area_cm2: flower.area_cm2(time),
+    };
+    let line = format!(
+        "flower of {} petals, individual {}, day {day}: {:.2} cm\u{b2}, {} stamens, {} pistils",
+        stats.petals, body.individual, stats.area_cm2, stats.stamens, stats.pistils
     );
     body.tell(&stats, &line)
 }

@@ -12,8 +12,11 @@ use crate::play::page::Page;
 use crate::surface::Body;
 
 pub(super) struct OnStage {
-    pub(super) body: Body,
-    pub(super) geometry: Geometry,
+    /// As it was made.
+    body: Body,
+    /// As it stands on a day, if it moves.
+    standing: Option<(u32, Body)>,
+    geometry: Geometry,
     pub(super) sphere: Sphere,
 }
 
@@ -67,11 +70,23 @@ impl<'a> Picture<'a> {
         }
     }
 
-    pub(super) fn wanted(&self) -> Wanted<'_> {
+    /// What is wanted of it, on a stage where the body stands already as on a day.
+    pub(super) fn wanted(&self, on: Option<&OnStage>) -> Wanted<'_> {
         let cells = self.cells.as_ref().map(|cells| (cells.generation, cells.day));
         let painted = self.cells.as_ref().and_then(|cells| cells.painted);
         let paint = painted.map(|(_, paint)| paint).unwrap_or_default();
-        Wanted { plant: self.plant.key, look: self.look, show: self.show, cells, paint }
+        let shape = on.and_then(|on| self.shape(on));
+        Wanted { plant: self.plant.key, shape, look: self.look, show: self.show, cells, paint }
+    }
+
+    /// The day on which a body that moves stands as it is to be drawn. What leads the cells is seen on it as it
+    /// was made.
+    pub(super) fn shape(&self, on: &OnStage) -> Option<u32> {
+        if on.body.surface.motion.is_still() || !self.show.is_of_cells() {
+            return None;
+        }
+        let stands = on.standing.as_ref().map(|(day, _)| *day);
+        self.cells.as_ref().map(|cells| cells.day).or(stands)
     }
 
     /// Hands a part of it to the renderer. Errors if it is too large.
@@ -84,12 +99,13 @@ impl<'a> Picture<'a> {
     ) -> Result<(), DrawError> {
         match (part, &self.cells) {
             (Part::Body, _) => renderer.set_body(&on.body, &on.geometry),
+            (Part::Shape, _) => renderer.set_shape(&on.geometry),
             (Part::Look, _) => renderer.set_look(self.look, &on.geometry),
             (Part::Show, _) => {
                 renderer.set_diagram(&self.show.diagram(self.plant, &on.body.surface))?;
             }
             (Part::Cells, Some(cells)) => {
-                let surface = &on.body.surface;
+                let surface = &on.body().surface;
                 let spacing_cm = (surface.area / cells.count.max(1) as f32).sqrt();
                 let marked = cells.painted.and_then(|(run, paint)| {
                     let marks = if paint.clans { Marks::Clans } else { Marks::Lit };
@@ -112,12 +128,26 @@ impl<'a> Picture<'a> {
 
 impl OnStage {
     pub(super) fn of(plant: &Plant, mesh: &str) -> Result<OnStage, BodyError> {
-        let body = plant.body.grow(mesh)?;
+        let body = plant.grow_body(mesh)?;
         let (geometry, sphere) = (Geometry::new(&body), Sphere::around(&body));
-        Ok(OnStage { body, geometry, sphere })
+        Ok(OnStage { body, standing: None, geometry, sphere })
+    }
+
+    /// Brings a body that moves to where it stands on a day, or as it was made.
+    pub(super) fn stand(&mut self, day: Option<u32>) {
+        if self.standing.as_ref().map(|(day, _)| *day) != day {
+            self.standing = day.map(|day| (day, self.body.on(day).into_owned()));
+            self.geometry =
+                day.map_or_else(|| Geometry::new(&self.body), |day| Geometry::on(&self.body, day));
+        }
+    }
+
+    /// As it stands.
+    pub(super) fn body(&self) -> &Body {
+        self.standing.as_ref().map_or(&self.body, |(_, body)| body)
     }
 
     pub(super) fn outline<'a>(&'a self, camera: &'a Camera) -> Outline<'a> {
-        Outline { body: &self.body, sphere: &self.sphere, camera }
+        Outline { body: self.body(), sphere: &self.sphere, camera }
     }
 }

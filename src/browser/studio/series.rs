@@ -49,7 +49,7 @@ impl Series {
         set_text(&within(&self.dialog, ".subject"), &told);
         let number: HtmlSelectElement = within(&self.dialog, ".number");
         number.set_text_content(None);
-        for parameter in PARAMETERS.iter().filter(|p| p.is_for(plant) && p.names.is_empty()) {
+        for parameter in PARAMETERS.iter().filter(|p| p.is_for(plant) && p.is_number()) {
             offer(&number, parameter.key, &parameter.label(plant));
         }
         self.say("");

@@ -4,7 +4,6 @@ use crate::browser::address::{fragment, wanted};
 use crate::browser::dom::{document, find, window};
 use crate::browser::files;
 use crate::plants;
-use crate::play::protocol::BUILD;
 use crate::play::{Scene, link};
 use wasm_bindgen::prelude::*;
 use web_sys::{Element, Event, MutationObserver, MutationObserverInit};
@@ -70,9 +69,12 @@ pub fn fingerprint() -> String {
 
 /// The text of a plant's mesh, as the page has it at hand.
 pub async fn mesh_of(scene: &Scene) -> Result<String, String> {
-    let name = scene.plant.body.mesh.name;
-    let path = format!("meshes/{}?build={BUILD}", name.replace(".obj", ".txt"));
-    files::read_text(&files::address(&path)).await
+    files::read_mesh(scene.plant.body.mesh.name).await
+}
+
+/// The text of the plant that the page shows, if it is one of the visitor's own; else none.
+pub fn own() -> String {
+    files::held(&format!("meshes/{}.txt", scene().plant.key)).unwrap_or_default()
 }
 
 /// The address of a link.

@@ -50,6 +50,9 @@ struct Corner {
     @location(4) plane: vec2f,
     // The triangle's number; in a bare part its material's.
     @location(5) number: u32,
+    // The same the day before, of a body that moves.
+    @location(6) position_before: vec3f,
+    @location(7) normal_before: vec4f,
 }
 
 struct Fragment {
@@ -64,14 +67,23 @@ struct Fragment {
 
 @vertex
 fn vs_body(corner: Corner) -> Fragment {
-    let clip = scene.view_projection * vec4f(corner.position, 1.0);
-    return Fragment(clip, corner.position, corner.normal, corner.bent, corner.uv, corner.plane,
-                    corner.number);
+    let moment = scene.eye.w;
+    let world = standing(corner.position, corner.position_before);
+    let turned = corner.normal_before.xyz + (corner.normal - corner.normal_before).xyz * moment;
+    let clip = scene.view_projection * vec4f(world, 1.0);
+    return Fragment(clip, world, vec4f(turned, corner.normal.w), corner.bent, corner.uv,
+                    corner.plane, corner.number);
+}
+
+// Where a corner is between the day before and the day: not a bit elsewhere if it does not move.
+fn standing(now: vec3f, before: vec3f) -> vec3f {
+    return before + (now - before) * scene.eye.w;
 }
 
 @vertex
-fn vs_shadow(@location(0) position: vec3f) -> @builtin(position) vec4f {
-    return scene.light_projection * vec4f(position, 1.0);
+fn vs_shadow(@location(0) position: vec3f,
+             @location(6) position_before: vec3f) -> @builtin(position) vec4f {
+    return scene.light_projection * vec4f(standing(position, position_before), 1.0);
 }
 
 struct Surface {

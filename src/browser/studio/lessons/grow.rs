@@ -2,8 +2,9 @@
 
 use super::{LessonView, Place, root};
 use crate::browser::dom::{set_attribute, set_flag, set_text};
+use crate::browser::studio::wish::MEASURE;
 use crate::browser::studio::work::{Said, Work};
-use crate::browser::studio::{subject, with, worker};
+use crate::browser::studio::{subject, with};
 use crate::plants;
 use crate::play::lesson::{Growing, Grown, Kind};
 use crate::play::link;
@@ -81,7 +82,7 @@ impl LessonView {
                 let started = mesh
                     .map_err(|why| format!("The plant's body did not come: {why}."))
                     .and_then(|mesh| {
-                        Work::start([worker::MEASURE, &link, &mesh, &wish], |said| {
+                        Work::start([MEASURE, &link, &mesh], wish, |said| {
                             with(|studio| studio.lessons.hear(said));
                         })
                     });
