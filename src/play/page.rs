@@ -170,7 +170,7 @@ impl Page {
         let Some(Shown { generation, day: Some(day), .. }) = &self.drawn else {
             return State::Loading;
         };
-        let arrived = self.playhead.is_playing() || day.moment == 1.0 && self.sharp;
+        let arrived = self.playhead.plays_on() || day.moment == 1.0 && self.sharp;
         let wished = day.day == self.playhead.wished_day() && *generation == self.run.generation;
         if wished && arrived { State::Ready } else { State::Growing }
     }

@@ -119,6 +119,11 @@ impl Playhead {
         matches!(self.motion, Motion::Play | Motion::Premiere | Motion::Scrub { played: true })
     }
 
+    /// Whether it plays without a day that it is to come to rest on.
+    pub fn plays_on(&self) -> bool {
+        self.is_playing() && self.motion != Motion::Premiere
+    }
+
     /// Whether the visitor's hand is on the time line.
     pub fn is_scrubbed(&self) -> bool {
         matches!(self.motion, Motion::Scrub { .. })
@@ -289,7 +294,8 @@ mod tests {
         playhead.premiere();
         playhead.advance(1.5, Some(2), 10);
         assert_eq!((playhead.time(), playhead.wished_day()), (2.0, 5), "it waits for growth");
-        assert!(playhead.is_playing() && !playhead.is_moving(Some(2), 10));
+        assert!(playhead.is_playing() && !playhead.plays_on());
+        assert!(!playhead.is_moving(Some(2), 10));
         let mut stopped = playhead.clone();
         stopped.advance(0.25, Some(10), 10);
         stopped.end_premiere();

@@ -20,6 +20,7 @@ mod graphics;
 mod hosts;
 mod icons;
 mod journeys;
+mod keys;
 mod ladder;
 mod lessons;
 mod light;

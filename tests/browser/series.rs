@@ -123,9 +123,13 @@ fn the_dialog_makes_steps_and_compares() {
 fn two_plants_have_one_camera_and_get_a_third_beside_them() {
     let Some(page) = Page::open(Graphics::WebGpu, "#mushroom?v=1&s=2&d=1") else { return };
     page.ready();
-    page.run("document.querySelector('details.recipe').open = true");
-    page.fill_in("parameter-df", "11");
-    page.wait("the change", |s| s.state == "ready" && !s.fingerprint.is_empty());
+    page.run(
+        "const field = document.querySelector('.parameter:has(#parameter-df) [inputmode]');
+         field.value = '9';
+         field.dispatchEvent(new Event('change', {bubbles: true}))",
+    );
+    page.wait_for("the change", "return location.hash.includes('df=9')");
+    page.ready();
     page.click("turn-left");
     page.wait_for("the turn", "return location.hash.includes('view=')");
     page.click("series");
@@ -142,7 +146,7 @@ fn two_plants_have_one_camera_and_get_a_third_beside_them() {
     };
     let view = |link: &str| link.split("view=").nth(1).unwrap_or_default().to_string();
     let before = links();
-    assert!(before[0].contains("df=11") && !before[1].contains("df="), "{before:?}");
+    assert!(before[0].contains("df=9") && !before[1].contains("df="), "{before:?}");
     assert_eq!(view(&before[0]), view(&before[1]));
 
     // A hand on one of them turns both, and leads nowhere.
@@ -182,8 +186,8 @@ fn two_plants_have_one_camera_and_get_a_third_beside_them() {
 #[test]
 fn a_figure_opens_as_plants_that_can_be_compared() {
     let Some(page) = Page::open(Graphics::Neither, "#figures/4.15") else { return };
-    page.wait_for("the row", "return !!document.querySelector('#figure-4\\.15 .more')");
-    page.run("document.querySelector('#figure-4\\.15 .more').click()");
+    page.wait_for("the row", "return !!document.querySelector('[id=\"figure-4.15\"] .more')");
+    page.run("document.querySelector('[id=\"figure-4.15\"] .more').click()");
     page.wait_for("its plants", "return document.documentElement.dataset.view === 'compare'");
     let count = page.run("return document.querySelectorAll('#figure-list .picture').length");
     let figure = clonal_mosaic::play::figures::find("4.15").unwrap();

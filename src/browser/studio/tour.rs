@@ -146,9 +146,9 @@ impl Tour {
     fn leave(&mut self) {
         self.unmark();
         self.card.set_hidden(true);
-        if let Some(from) = self.from.take() {
-            let _ = from.focus();
-        }
+        // What it began from may be gone.
+        let from = self.from.take().filter(|from| from.offset_width() > 0);
+        let _ = from.unwrap_or_else(|| find("stage")).focus();
     }
 
     fn unmark(&self) {

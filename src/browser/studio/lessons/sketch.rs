@@ -29,7 +29,7 @@ pub fn show(ways: &Element, of: &str, days: &[u32], said: &[f64]) {
         ways,
         "p",
         "hint",
-        &format!("Draw {of} from the first day to the last, or use the arrow keys on each."),
+        "Draw across it from the first day to the last, or use the arrow keys on each day.",
     );
     trace(ways);
 }
