@@ -211,7 +211,7 @@ choices! {
         2: Colour { of: of } }
     Scaled { 0: DivisionDays { 0: kind }, 1: RadiusScale {}, 2: Repulsion {}, 3: Adhesion { 0: a, 1: b } }
     GuideVector { 0: OnLeaves { at: at, direction: direction },
-        1: Near { point_cm: point, direction: direction } }
+        1: Near { point_cm: point, direction: direction }, 2: AlongVeins { order: order } }
     Clock { 0: Poisson {}, 1: Exponential {} }
 }
 
