@@ -50,6 +50,8 @@ struct Studio {
     bring_in: BringIn,
     /// What opens the file that was brought last.
     opening: Option<Work>,
+    /// What is to be told of it when the page shows it.
+    to_tell: Option<String>,
     charts: ChartView,
     series: Series,
     class: ClassDialog,
@@ -79,6 +81,7 @@ pub fn start() {
         take_away: TakeAway::new(),
         bring_in: BringIn::new(),
         opening: None,
+        to_tell: None,
         charts: ChartView::new(),
         series: Series::new(),
         class: ClassDialog::new(),
@@ -95,7 +98,12 @@ pub fn start() {
             open(&door.unchecked_into::<Element>().id());
         }
     }));
-    std::mem::forget(on(&window(), "hashchange", |_: Event| follow()));
+    std::mem::forget(on(&window(), "hashchange", |_: Event| {
+        follow();
+        // The page has heard of it before, and has taken away what it told of the plant before.
+        let told = STUDIO.with_borrow_mut(|studio| studio.as_mut()?.to_tell.take());
+        told.iter().for_each(|text| files::tell(text));
+    }));
     files::take_what_is_dropped();
     leaflet::print_code();
     pictures::listen();

@@ -56,7 +56,7 @@ impl Fit {
     }
 
     /// The scene to try next; none at the end of the search.
-    pub fn next(&mut self) -> Option<Scene> {
+    pub fn next_scene(&mut self) -> Option<Scene> {
         if self.best.is_none() {
             self.tried.push(self.values(&self.scene));
             return Some(self.scene.clone());
@@ -116,7 +116,7 @@ impl Fit {
     fn stepped(&mut self) -> Option<Scene> {
         let (best, _) = self.best.as_ref()?;
         let number = self.numbers[self.way / 2];
-        let sign = if self.way % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if self.way.is_multiple_of(2) { 1.0 } else { -1.0 };
         let at = place(number, number.get(best)) + sign * self.step;
         let mut scene = best.clone();
         number.set(&mut scene, value(number, at.clamp(0.0, 1.0))).ok()?;
@@ -211,7 +211,7 @@ mod tests {
     /// Searches where a law says what comes of a scene.
     fn search(fit: &mut Fit, law: impl Fn(&Scene) -> Option<Vec<f64>>) -> Vec<f64> {
         let mut better = Vec::new();
-        while let Some(scene) = fit.next() {
+        while let Some(scene) = fit.next_scene() {
             let values = law(&scene);
             if fit.tell(scene, values.as_deref()) {
                 better.push(fit.best().unwrap().1);

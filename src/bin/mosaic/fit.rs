@@ -22,7 +22,7 @@ pub fn fit(options: &FitOptions) -> Result<(), Refusal> {
     let plant = scene.plant;
     let seen = Progress::beside_lines();
     let mut fit = Fit::new(scene, wants.clone(), numbers.clone());
-    while let Some(scene) = fit.next().filter(|_| fit.tries() <= options.tries as usize) {
+    while let Some(scene) = fit.next_scene().filter(|_| fit.tries() <= options.tries as usize) {
         seen.tell(&format!("try {} of at most {}", fit.tries(), options.tries));
         let values = means(&scene, &wants, &body, options.individuals);
         if let (1, Err(why)) = (fit.tries(), &values) {
