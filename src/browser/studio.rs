@@ -6,6 +6,7 @@ mod bring_in;
 mod charts;
 mod class;
 mod files;
+mod fit;
 mod leaflet;
 mod lessons;
 mod own;
@@ -28,6 +29,7 @@ use crate::play::series::asked_view;
 use bring_in::BringIn;
 use charts::ChartView;
 use class::ClassDialog;
+use fit::FitView;
 use lessons::LessonView;
 use presenter::Presenter;
 use pupils::Pupils;
@@ -54,6 +56,7 @@ struct Studio {
     to_tell: Option<String>,
     charts: ChartView,
     series: Series,
+    fit: FitView,
     class: ClassDialog,
     presenter: Presenter,
     pupils: Pupils,
@@ -72,6 +75,7 @@ pub fn start() {
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/bring_in.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/series.html"));
+    let _ = body.insert_adjacent_html("beforeend", include_str!("studio/fit.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/lessons.html"));
@@ -84,6 +88,7 @@ pub fn start() {
         to_tell: None,
         charts: ChartView::new(),
         series: Series::new(),
+        fit: FitView::new(),
         class: ClassDialog::new(),
         presenter: Presenter::new(),
         pupils: Pupils::new(),
@@ -131,6 +136,7 @@ fn open(door: &str) {
         "bring-in" => studio.bring_in.open(),
         "charts" => studio.charts.toggle(),
         "series" => studio.series.open(),
+        "fit" => studio.fit.open(),
         "class" => studio.class.open(),
         "lessons" => studio.lessons.open(),
         "tour" => presenter::after(0, tour::open),
