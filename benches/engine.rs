@@ -12,9 +12,10 @@ use clonal_mosaic::plants::original::sphere;
 use clonal_mosaic::shapes::flower::{Flower, FlowerNumbers};
 use clonal_mosaic::shapes::leaf::{Leaf, LeafNumbers};
 use clonal_mosaic::shapes::veins::{VeinNumbers, grow, scatter};
-use clonal_mosaic::tissue::{Progress, Recipe};
+use clonal_mosaic::surface::{Mesh, Moment, Motion};
+use clonal_mosaic::tissue::{Growth, Progress, Recipe};
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use glam::DVec2;
+use glam::{DVec2, Vec3};
 use states::{settled, still};
 use std::hint::black_box;
 use std::sync::Arc;
@@ -65,6 +66,36 @@ fn divide(c: &mut Criterion) {
                 },
                 BatchSize::PerIteration,
             );
+        });
+    }
+    group.finish();
+}
+
+/// Five days of a body that stands still, of one that grows evenly and of one that grows longer.
+fn moving(c: &mut Criterion) {
+    let still = sphere();
+    let to = |scale: Vec3| {
+        let moment = |day, scale: Vec3| Moment {
+            day,
+            positions: still.positions.iter().map(|&p| p * scale).collect(),
+        };
+        let motion = Motion::new(vec![moment(0.0, Vec3::ONE), moment(5.0, scale)]);
+        Arc::new(Mesh { motion, ..still.clone() })
+    };
+    let mut group = c.benchmark_group("five days of 20,000 first cells on a body");
+    for (name, mesh) in [
+        ("that stands still", Arc::new(still.clone())),
+        ("that grows", to(Vec3::splat(2.0))),
+        ("that grows longer", to(Vec3::new(1.0, 1.6, 1.0))),
+    ] {
+        let recipe = Recipe { initial_cells: 20_000, days: 5, ..Recipe::default() };
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                let growth = Growth::new(mesh.clone(), recipe.clone(), &[], 1);
+                let mut growth = growth.expect("a recipe in its ranges");
+                while growth.step() != Progress::Done {}
+                black_box(growth.diary.lineage.len())
+            });
         });
     }
     group.finish();
@@ -129,6 +160,6 @@ fn veins(c: &mut Criterion) {
 criterion_group! {
     name = engine;
     config = Criterion::default().sample_size(10).measurement_time(Duration::from_secs(3));
-    targets = relax, divide, site_lists, leaf, flower, veins
+    targets = relax, divide, moving, site_lists, leaf, flower, veins
 }
 criterion_main!(engine);

@@ -1,4 +1,4 @@
-//! The studio, which the page loads when something of it is first wanted, and its worker.
+//! The studio, which the page loads when something of it is first wanted.
 
 fn main() {
     #[cfg(target_arch = "wasm32")]

@@ -1,9 +1,12 @@
 //! The address of the page, whose fragment is the link of what is shown, and behind a `~` what the studio does
 //! with it: `croton?v=1&d=20~lesson/chance/2`.
 
-use super::dom::window;
+use super::dom::{document, set_attribute, window};
 #[cfg(feature = "draw")]
 use wasm_bindgen::JsValue;
+
+/// What stands before how much of the page is to be there.
+pub const UI: &str = "~ui=";
 
 /// The whole address with another fragment. Links within the page have such ones: one that begins with `#` is
 /// taken for a way to an element by programs that check pages.
@@ -23,6 +26,13 @@ pub fn fragment() -> String {
 /// What is the studio's, with its `~`; empty without it.
 pub fn wanted() -> String {
     beside(&hash()).to_string()
+}
+
+/// Marks how much of the page there is, by `~ui=play` or `~ui=none` in its address; without it, all.
+pub fn mark_ui() {
+    if let Some(root) = document().document_element() {
+        set_attribute(&root, "data-ui", wanted().strip_prefix(UI).unwrap_or("full"));
+    }
 }
 
 fn hash() -> String {

@@ -3,15 +3,16 @@
 
 mod frame;
 
-use super::address::{fragment, push_link, wanted, with_fragment, write_link};
+use super::address::{fragment, mark_ui, push_link, wanted, with_fragment, write_link};
 use super::card::Card;
 use super::chooser::Chooser;
 use super::controls::{Controls, load_studio};
-use super::dom::{Listener, document, on, window};
+use super::dom::{Listener, document, on, set_attribute, window};
 use super::files;
 use super::fingers::Fingers;
 use super::frames::Frames;
 use super::gallery::{Bookmark, Gallery};
+use super::host::Host;
 use super::keyboard;
 use super::mail::{self, Mail};
 use super::messages::Messages;
@@ -23,6 +24,7 @@ use super::show::ShowChooser;
 use super::stage::Stage;
 use super::surroundings::Surroundings;
 use super::timeline::Timeline;
+use super::welcome::{Welcome, is_first_visit};
 use crate::draw::Renderer;
 use crate::plants;
 use crate::play::canvases::Canvases;
@@ -30,7 +32,6 @@ use crate::play::figures::Figure;
 use crate::play::gallery;
 use crate::play::page::{Effect, Event, Page, State};
 use crate::play::parameters::Parameter;
-use crate::play::protocol::BUILD;
 use crate::play::series::asked_view;
 use crate::surface::unpack;
 use glam::Vec2;
@@ -60,6 +61,9 @@ struct App {
     surroundings: Surroundings,
     frames: Frames,
     canvases: Canvases,
+    welcome: Welcome,
+    /// The page around this one, if it stands in a frame.
+    host: Option<Host>,
     _pointer: Pointer,
     _fingers: Fingers,
     _sheet: Sheet,
@@ -68,11 +72,16 @@ struct App {
 
 /// Starts the page: the worker and the graphics card at the same time.
 pub fn start() {
-    let fragment = fragment();
-    let (page, effects) = Page::open(&fragment, plants::all());
+    let asked = fragment();
+    bring_own(&asked);
+    let (page, effects) = Page::open(&asked, plants::all());
     let stage = Stage::new();
     let [stage_keys, keys] = keyboard::listen(stage.element());
-    let link = on(&window(), "hashchange", |_: web_sys::Event| with(App::open_address));
+    let link = on(&window(), "hashchange", |_: web_sys::Event| {
+        mark_ui();
+        load_studio(&wanted());
+        open_link(&fragment());
+    });
     let print = on(&window(), "beforeprint", |_: web_sys::Event| {
         let address = address();
         with(|app| app.print(&address));
@@ -91,6 +100,8 @@ pub fn start() {
         surroundings: Surroundings::new(),
         frames: Frames::new(),
         canvases: Canvases::default(),
+        welcome: Welcome::new(),
+        host: Host::find(stage.element()),
         _pointer: Pointer::new(stage.element()),
         _fingers: Fingers::new(),
         _sheet: Sheet::new(),
@@ -98,10 +109,15 @@ pub fn start() {
         page,
         stage,
     };
-    app.open_gallery(&fragment);
+    app.open_gallery(&asked);
     app.act(effects);
     let calm = app.surroundings.less_motion();
     app.hear(Event::LessMotion(calm));
+    // Kept at every visit, whatever its address shows.
+    if is_first_visit() && asked.len() < 2 && !calm {
+        app.hear(Event::Premiere);
+        app.welcome.show();
+    }
     APP.set(Some(app));
     load_studio(&wanted());
 }
@@ -209,6 +225,16 @@ pub fn figures_scrolled() {
     });
 }
 
+/// Shows what the fragment of an address asks for.
+pub fn open_link(fragment: &str) {
+    with(|app| app.open_link(fragment));
+}
+
+/// Whether anybody sees the page, which stands in a frame.
+pub fn seen(is_seen: bool) {
+    with(|app| app.frames.hold(!is_seen));
+}
+
 /// The next frame is due.
 pub fn frame(now_ms: f64) {
     with(|app| app.frame(now_ms));
@@ -263,16 +289,15 @@ impl App {
         }
     }
 
-    /// Shows what the address asks for: the figures or a plant.
-    fn open_address(&mut self) {
-        load_studio(&wanted());
-        let fragment = fragment();
+    /// Shows what a link asks for: the figures or a plant.
+    fn open_link(&mut self, fragment: &str) {
+        bring_own(fragment);
         if let Some(gallery) = self.gallery.take() {
             self.bookmark = gallery.bookmark();
             self.stage.forget();
         }
-        self.open_gallery(&fragment);
-        self.hear(Event::OpenLink(fragment));
+        self.open_gallery(fragment);
+        self.hear(Event::OpenLink(fragment.to_string()));
     }
 
     /// Opens the figures or a series if the fragment of the address asks for them.
@@ -330,7 +355,7 @@ impl App {
                 Effect::WriteLink(link) => write_link(&link),
                 Effect::PushLink(link) => push_link(&link),
                 Effect::Say(text) => {
-                    document().set_title(&format!("{text} · Clonal Mosaic"));
+                    document().set_title(&format!("{} · Clonal Mosaic", self.page.title()));
                     self.messages.say(&text);
                 }
                 Effect::Tell(texts) => self.messages.tell(&texts),
@@ -365,9 +390,25 @@ impl App {
     }
 }
 
+/// Has a plant of the visitor's own known before its link is read. The studio puts it into the page, and knows
+/// whether it was kept.
+fn bring_own(fragment: &str) {
+    let Some(at) = fragment.find(plants::OWN) else { return };
+    let key = fragment[at..].split('?').next().unwrap_or_default();
+    match files::held(&format!("meshes/{key}.txt")) {
+        Some(text) => {
+            plants::bring(&text);
+        }
+        None => {
+            let root = document().document_element().expect("a document has a root");
+            set_attribute(&root, "data-own", fragment);
+            load_studio("own");
+        }
+    }
+}
+
 async fn load_mesh(name: &'static str) {
-    let file = files::address(&format!("meshes/{}?build={BUILD}", name.replace(".obj", ".txt")));
-    let text = files::read_text(&file).await.map(|packed| unpack(&packed));
+    let text = files::read_mesh(name).await.map(|packed| unpack(&packed));
     send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
     send(Event::Mesh { name, text });
 }

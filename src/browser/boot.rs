@@ -1,6 +1,7 @@
 //! The first code of the page, and small: finds out what there is to draw with, and loads the one
 //! bundle for that.
 
+use super::address::mark_ui;
 use super::dom::{document, find, set_attribute, set_flag, window};
 use super::files::{self, in_bundles, is_held};
 use js_sys::Promise;
@@ -13,6 +14,7 @@ use web_sys::{Element, HtmlCanvasElement, HtmlScriptElement};
 /// What there is to draw with takes longest to find out, so it is asked first, while the rest of the
 /// page is still being read. Nothing here is a future: what runs those is a kilobyte.
 pub fn boot() {
+    mark_ui();
     let adapter = ask_for_adapter();
     let begin = move || {
         // What is told where nothing of this runs.

@@ -2,14 +2,17 @@
 
 use super::app;
 use super::dom::{
-    Listener, copy_of_template, document, find, mark_when_missing, on, set_attribute, set_text,
-    within,
+    Listener, copy_of_template, document, find, mark_when_missing, on, set_attribute, set_flag,
+    set_text, within,
 };
 use super::files;
 use crate::plants;
 use crate::play::page::{Event, Page, State};
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlInputElement};
+
+/// By what a plant is found: its names and its kind, in small letters.
+const WORDS: &str = "data-words";
 
 pub struct Chooser {
     list: Element,
@@ -38,6 +41,8 @@ impl Chooser {
                 let radio: HtmlInputElement = within(&label, "input");
                 radio.set_value(plant.key);
                 set_text(&within(&label, ".name"), plant.name);
+                let words = format!("{} {} {name}", plant.name, plant.latin).to_lowercase();
+                set_attribute(&label, WORDS, words);
                 let picture: Element = within(&label, "img");
                 listeners.push(mark_when_missing(&picture));
                 pictures.push((picture, format!("posters/{}-small.avif", plant.key)));
@@ -50,6 +55,12 @@ impl Chooser {
             if let Some(radio) = radio {
                 app::send(Event::ChoosePlant(radio.value()));
             }
+        }));
+        let (search, among) = (find::<HtmlInputElement>("find"), list.clone());
+        listeners.push(on(&search.clone(), "input", move |_: web_sys::Event| {
+            let found = show_found(&among, &search.value().trim().to_lowercase());
+            let told = if found { "" } else { "No plant is called that." };
+            set_text(&find::<Element>("not-found"), told);
         }));
         Chooser { list, radios, pictures, is_seen: false, _listeners: listeners }
     }
@@ -83,4 +94,23 @@ impl Chooser {
         self.list.set_scroll_left(self.list.scroll_left() + right as i32);
         self.list.set_scroll_top(self.list.scroll_top() + down as i32);
     }
+}
+
+/// Shows the plants whose words hold a text, and the kinds that have some of them. Whether there are any.
+fn show_found(list: &Element, text: &str) -> bool {
+    let (mut kind, mut found): (Option<Element>, bool) = (None, false);
+    for item in (0..).map_while(|k| list.children().item(k)) {
+        let words = item.get_attribute(WORDS);
+        let is_found = words.as_ref().is_some_and(|words| words.contains(text));
+        set_flag(&item, "hidden", !is_found);
+        if words.is_none() {
+            kind = Some(item);
+        } else if is_found {
+            found = true;
+            if let Some(kind) = kind.take() {
+                set_flag(&kind, "hidden", false);
+            }
+        }
+    }
+    found
 }

@@ -1,6 +1,7 @@
 //! The rest of the page: caption, individual, link, undo, help, and the state that the `<html>`
 //! element carries for tests and embedders.
 
+use super::address::UI;
 use super::app;
 use super::boot;
 use super::dom::{
@@ -10,6 +11,7 @@ use super::keyboard::{TURN_DEG, ZOOM};
 use super::typing;
 use crate::play::link::INDIVIDUAL;
 use crate::play::page::{Event, Page, State};
+use crate::play::strip::rgb;
 use crate::play::words;
 use glam::Vec2;
 use wasm_bindgen::JsCast;
@@ -22,6 +24,8 @@ const DRAWN_INDIVIDUALS: u32 = 9999;
 pub struct Controls {
     root: Element,
     stage: Element,
+    /// All of the picture in words.
+    summary: Element,
     name: Element,
     latin: Element,
     source: Element,
@@ -60,6 +64,7 @@ impl Controls {
         for (id, factor) in [("nearer", ZOOM), ("farther", 1.0 / ZOOM)] {
             listeners.push(click(id, move || app::zoom(factor, Vec2::ZERO)));
         }
+        listeners.push(click("tour", || load_studio("tour")));
         listeners.push(on(&find::<Element>("studio"), "click", |event: web_sys::Event| {
             if let Some(door) = event.target() {
                 load_studio(&door.unchecked_into::<Element>().id());
@@ -83,6 +88,7 @@ impl Controls {
         Controls {
             root: document().document_element().expect("a document has a root"),
             stage: find("stage"),
+            summary: find("summary"),
             name: find("name"),
             latin: find("latin"),
             source: find("source"),
@@ -108,7 +114,8 @@ impl Controls {
         typing::show(&self.individual, scene.individual, &self.refusal, refusal);
         set_flag(&self.undo, "disabled", !page.history().can_undo());
         set_flag(&self.redo, "disabled", !page.history().can_redo());
-        set_attribute(&self.stage, "aria-label", page.description());
+        set_attribute(&self.stage, "aria-label", page.title());
+        set_text(&self.summary, page.summary());
         let [day, cells, share, area, fingerprint] = &self.facts;
         match &page.shown().day {
             Some(shown) => {
@@ -129,12 +136,6 @@ impl Controls {
 
     /// Tells tests and embedders what is on the screen, drawn by this backend.
     pub fn show_state(&self, state: State, page: &Page, backend: &str) {
-        let state = match state {
-            State::Loading => "loading",
-            State::Growing => "growing",
-            State::Ready => "ready",
-            State::Error => "error",
-        };
         let drawn = page.drawn();
         let day = drawn.and_then(|d| d.day.as_ref());
         let (plant, individual) = match drawn {
@@ -150,7 +151,7 @@ impl Controls {
             ("data-fingerprint", day.map_or("", |d| &d.facts.fingerprint)),
             ("data-backend", backend),
             // The state comes last: who waits for it finds the rest in place.
-            ("data-state", state),
+            ("data-state", state.word()),
         ] {
             set_attribute(&self.root, name, value);
         }
@@ -161,10 +162,7 @@ impl Controls {
 fn bar(parts: [u32; 3], colours: &[[f32; 3]; 3]) -> String {
     let whole = parts.iter().sum::<u32>().max(1);
     let percent = |part: u32| 100.0 * f64::from(part) / f64::from(whole);
-    let [f, b, m] = colours.map(|rgb| {
-        let [r, g, b] = rgb.map(|x| (x * 255.0).round() as u8);
-        format!("rgb({r} {g} {b})")
-    });
+    let [f, b, m] = colours.map(rgb);
     let [to_f, to_m] = [parts[0], parts[0] + parts[2]].map(percent);
     format!("linear-gradient(90deg, {f} {to_f:.1}%, {m} 0 {to_m:.1}%, {b} 0)")
 }
@@ -206,7 +204,8 @@ pub fn copy_link() {
 /// Loads the studio when it is first wanted; then it listens itself.
 pub fn load_studio(wanted: &str) {
     let root = document().document_element().expect("a document has a root");
-    if wanted.is_empty() || root.has_attribute("data-studio") {
+    // How much of the page there is, is no matter of the studio's.
+    if wanted.is_empty() || wanted.starts_with(UI) || root.has_attribute("data-studio") {
         return;
     }
     set_attribute(&root, "data-studio", wanted);

@@ -2,6 +2,7 @@
 //! elements of the page that hold them, whose ids are the paths of the files.
 
 use super::dom::{document, set_attribute, window};
+use crate::play::protocol::BUILD;
 use js_sys::Array;
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::JsFuture;
@@ -17,6 +18,20 @@ pub fn address(path: &str) -> String {
         set_attribute(&holder, "href", &address);
         address
     })
+}
+
+/// What stands in a file that the page holds, given its path.
+pub fn held(path: &str) -> Option<String> {
+    document().get_element_by_id(path)?.text_content()
+}
+
+/// The text of a mesh file, packed or plain; in an error, why it cannot be had.
+pub async fn read_mesh(name: &str) -> Result<String, String> {
+    let path = format!("meshes/{}", name.replace(".obj", ".txt"));
+    match held(&path) {
+        Some(text) => Ok(text),
+        None => read_text(&address(&format!("{path}?build={BUILD}"))).await,
+    }
 }
 
 /// The address of a file in the folder of bundles, whose name tells builds apart.

@@ -10,19 +10,32 @@ const FIRST_S: f64 = 1.0 / 60.0;
 pub struct Frames {
     callback: Closure<dyn FnMut(f64)>,
     asked: Option<i32>,
+    /// Nobody sees the page: whether a frame waits for somebody who does.
+    held: Option<bool>,
     last_ms: Option<f64>,
 }
 
 impl Frames {
     pub fn new() -> Frames {
-        Frames { callback: Closure::new(app::frame), asked: None, last_ms: None }
+        Frames { callback: Closure::new(app::frame), asked: None, held: None, last_ms: None }
     }
 
     /// Asks for the next frame, once.
     pub fn ask(&mut self) {
-        if self.asked.is_none() {
+        if let Some(waits) = &mut self.held {
+            *waits = true;
+        } else if self.asked.is_none() {
             let callback = self.callback.as_ref().unchecked_ref();
             self.asked = dom::window().request_animation_frame(callback).ok();
+        }
+    }
+
+    /// Asks for none until somebody sees the page again.
+    pub fn hold(&mut self, holds: bool) {
+        match self.held.take() {
+            before if holds => self.held = Some(before.unwrap_or(self.asked.is_some())),
+            Some(true) => self.ask(),
+            _ => {}
         }
     }
 

@@ -11,6 +11,7 @@ use super::dom::{
 use super::files;
 use super::mail::Mail;
 use super::stage::Stage;
+use super::turning;
 use super::typing::set_value;
 use crate::draw::DrawError;
 use crate::plants;
@@ -125,6 +126,9 @@ impl Gallery {
 
     /// Takes an event; what the page must do is returned.
     pub fn hear(&mut self, event: Event) -> Vec<Effect> {
+        if matches!(event, Event::Look { .. }) {
+            self.forget_drawn();
+        }
         let mut others = Vec::new();
         for (number, effect) in self.brain.hear(event) {
             let worker = &mut self.workers[number];
@@ -293,6 +297,14 @@ impl RowView {
             }
         });
         let pictures: Vec<PictureView> = pictures.collect();
+        let more: Element = within(&element, ".more");
+        if of_figures {
+            let links: Vec<&str> = figure.pictures.iter().map(|picture| picture.link).collect();
+            set_attribute(&more, "href", with_fragment(&format!("compare/{}", links.join("/"))));
+        } else {
+            more.remove();
+            listeners.extend(turning::listen(&row));
+        }
         let last_day = (0..pictures.len()).map(|k| scene(k).day).max().unwrap_or(0);
         let day: HtmlInputElement = within(&element, ".days input");
         let field = day.clone();

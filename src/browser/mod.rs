@@ -22,6 +22,8 @@ mod frames;
 #[cfg(feature = "draw")]
 mod gallery;
 #[cfg(feature = "draw")]
+mod host;
+#[cfg(feature = "draw")]
 mod keyboard;
 #[cfg(feature = "draw")]
 mod mail;
@@ -44,19 +46,30 @@ mod surroundings;
 #[cfg(feature = "draw")]
 mod timeline;
 #[cfg(feature = "draw")]
+mod turning;
+#[cfg(feature = "draw")]
 mod typing;
 #[cfg(feature = "draw")]
+mod welcome;
+#[cfg(feature = "draw")]
 mod worker;
+mod workshop;
 
 /// Starts the bundle that chooses among the others.
 pub fn start_boot() {
     boot::boot();
 }
 
-/// Starts the studio, or, where it was started as a worker, its worker.
+/// Starts the studio.
 pub fn start_studio() {
     console_error_panic_hook::set_once();
-    if web_sys::window().is_some() { studio::start() } else { studio::start_worker() }
+    studio::start();
+}
+
+/// Starts the worker that grows and writes for the studio.
+pub fn start_workshop() {
+    console_error_panic_hook::set_once();
+    workshop::listen();
 }
 
 /// Starts the service worker, which keeps a build of which all files are named.

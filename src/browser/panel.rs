@@ -26,6 +26,7 @@ struct Row {
 enum Input {
     Number { range: HtmlInputElement, number: HtmlInputElement, refusal: Element },
     Choice(HtmlSelectElement),
+    Colour(HtmlInputElement),
 }
 
 impl Panel {
@@ -58,9 +59,12 @@ impl Panel {
 
 impl Row {
     fn new(parameter: &'static Parameter, list: &Element) -> Row {
-        let is_number = parameter.names.is_empty();
-        let element =
-            copy_of_template(if is_number { "parameter-template" } else { "choice-template" });
+        let (template, make): (_, fn(_, &_, &mut _) -> _) = match () {
+            () if parameter.is_colour => ("colour-template", Input::colour),
+            () if parameter.names.is_empty() => ("parameter-template", Input::number),
+            () => ("choice-template", Input::choice),
+        };
+        let element = copy_of_template(template);
         let id = format!("parameter-{}", parameter.key);
         let hint = format!("{id}-hint");
         set_attribute(&within(&element, "label"), "for", &id);
@@ -72,10 +76,7 @@ impl Row {
         let mut listeners = vec![on(&reset, "click", move |_: web_sys::Event| {
             app::reset_parameter(parameter);
         })];
-        let input = match is_number {
-            true => Input::number(parameter, &element, &mut listeners),
-            false => Input::choice(parameter, &element, &mut listeners),
-        };
+        let input = make(parameter, &element, &mut listeners);
         set_attribute(input.main(), "id", &id);
         set_attribute(input.main(), "aria-describedby", &hint);
         let _ = list.append_child(&element);
@@ -105,6 +106,7 @@ impl Row {
                 set_text(&within(&self.element, ".remark"), &remark.unwrap_or_default());
             }
             Input::Choice(select) => select.set_selected_index(value as i32),
+            Input::Colour(colour) => colour.set_value(&parameter.said(value)),
         }
         let changed = value != parameter.preset(scene.plant);
         set_flag(&self.reset, "disabled", !changed);
@@ -155,11 +157,28 @@ impl Input {
         Input::Choice(select)
     }
 
+    /// The browser's own way to choose a colour.
+    fn colour(
+        parameter: &'static Parameter,
+        element: &Element,
+        listeners: &mut Vec<Listener>,
+    ) -> Input {
+        let colour: HtmlInputElement = within(element, "input");
+        let chosen = colour.clone();
+        listeners.push(on(&colour, "input", move |_: web_sys::Event| {
+            if let Ok(value) = parameter.read(&chosen.value()) {
+                change(parameter, value);
+            }
+        }));
+        Input::Colour(colour)
+    }
+
     /// The element that the label belongs to.
     fn main(&self) -> &Element {
         match self {
             Input::Number { range, .. } => range,
             Input::Choice(select) => select,
+            Input::Colour(colour) => colour,
         }
     }
 }

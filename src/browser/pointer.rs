@@ -19,7 +19,10 @@ const PINCH_ZOOM: f64 = 0.01;
 const LINE_PX: f64 = 16.0;
 
 /// Pixels that a hand may tremble in a click; a drag begins beyond them.
-const TREMBLE_PX: f32 = 5.0;
+pub const TREMBLE_PX: f32 = 5.0;
+
+/// The stage in a frame before somebody has clicked it; see also `touch-action` in the style sheet.
+const OUT_OF_HAND: &str = "[data-framed] .stage:not(:focus)";
 
 pub struct Pointer {
     _listeners: [Listener; 6],
@@ -67,6 +70,11 @@ impl Pointer {
                 cancelled.borrow_mut().retain(|d| d.id != event.pointer_id());
             }),
             on(stage, "wheel", move |event: WheelEvent| {
+                // In a frame it scrolls the page around, until the plant is clicked.
+                let is_stranger = matches!(wheeled.matches(OUT_OF_HAND), Ok(true));
+                if is_stranger && !event.ctrl_key() && !event.meta_key() {
+                    return;
+                }
                 event.prevent_default();
                 let lines = event.delta_mode() == WheelEvent::DOM_DELTA_LINE;
                 let pixels = event.delta_y() * if lines { LINE_PX } else { 1.0 };

@@ -2,24 +2,30 @@
 //! page loads when it is first wanted, and has no private door into the page: a scene comes in as the link that
 //! the page would print, a file goes out, and a scene goes back as the address.
 
+mod bring_in;
 mod charts;
 mod class;
 mod files;
 mod leaflet;
 mod lessons;
+mod own;
 mod picture;
+mod pictures;
 mod presenter;
 mod pupils;
 mod series;
 mod simple;
+mod sound;
 mod subject;
 mod take_away;
+mod tour;
+pub mod wish;
 mod work;
-mod worker;
 
 use super::address::{fragment, wanted};
 use super::dom::{document, find, on, set_attribute, window};
 use crate::play::series::asked_view;
+use bring_in::BringIn;
 use charts::ChartView;
 use class::ClassDialog;
 use lessons::LessonView;
@@ -27,12 +33,13 @@ use presenter::Presenter;
 use pupils::Pupils;
 use series::Series;
 use simple::SimpleView;
+use sound::Sound;
 use std::cell::RefCell;
 use take_away::TakeAway;
+use tour::Tour;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, Event};
-
-pub use worker::start_worker;
+use work::Work;
 
 thread_local! {
     static STUDIO: RefCell<Option<Studio>> = const { RefCell::new(None) };
@@ -40,6 +47,9 @@ thread_local! {
 
 struct Studio {
     take_away: TakeAway,
+    bring_in: BringIn,
+    /// What opens the file that was brought last.
+    opening: Option<Work>,
     charts: ChartView,
     series: Series,
     class: ClassDialog,
@@ -47,6 +57,8 @@ struct Studio {
     pupils: Pupils,
     simple: SimpleView,
     lessons: LessonView,
+    sound: Sound,
+    tour: Tour,
 }
 
 /// Puts the studio into the page, and opens what was wanted when it was loaded.
@@ -56,6 +68,7 @@ pub fn start() {
     wear(include_str!("studio/lessons.css"));
     let body = document().body().expect("a page has a body");
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
+    let _ = body.insert_adjacent_html("beforeend", include_str!("studio/bring_in.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/series.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
@@ -64,6 +77,8 @@ pub fn start() {
     let _ = body.insert_adjacent_html("beforeend", sheet);
     STUDIO.set(Some(Studio {
         take_away: TakeAway::new(),
+        bring_in: BringIn::new(),
+        opening: None,
         charts: ChartView::new(),
         series: Series::new(),
         class: ClassDialog::new(),
@@ -71,6 +86,8 @@ pub fn start() {
         pupils: Pupils::new(),
         simple: SimpleView::new(),
         lessons: LessonView::new(),
+        sound: Sound::new(),
+        tour: Tour::new(),
     }));
     // They are there as long as the page is.
     std::mem::forget(on(&find::<Element>("studio"), "click", |event: Event| {
@@ -81,6 +98,7 @@ pub fn start() {
     std::mem::forget(on(&window(), "hashchange", |_: Event| follow()));
     files::take_what_is_dropped();
     leaflet::print_code();
+    pictures::listen();
     let root = document().document_element().expect("a document has a root");
     if let Some(wanted) = root.get_attribute("data-studio") {
         open(&wanted);
@@ -102,17 +120,29 @@ impl Studio {
 fn open(door: &str) {
     with(|studio| match door {
         "take-away" => studio.take_away.open(),
+        "bring-in" => studio.bring_in.open(),
         "charts" => studio.charts.toggle(),
         "series" => studio.series.open(),
         "class" => studio.class.open(),
         "lessons" => studio.lessons.open(),
+        "tour" => presenter::after(0, tour::open),
         // What was dropped is heard of by itself.
         _ => {}
     });
 }
 
+/// Opens the plant of the visitor's own that the address has asked for in vain, if it was kept.
+fn follow_own() {
+    let root = document().document_element().expect("a document has a root");
+    if let Some(asked) = root.get_attribute("data-own") {
+        let _ = root.remove_attribute("data-own");
+        own::make_what_was_kept(asked);
+    }
+}
+
 /// Agrees with the address: what stands behind its `~`, a view and, behind a `/`, what of it.
 fn follow() {
+    follow_own();
     let wanted = wanted();
     let wanted = wanted.trim_start_matches('~');
     // Where several plants stand there is none that anything could be done with.

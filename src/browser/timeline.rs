@@ -6,6 +6,7 @@ use super::typing::{self, set_value};
 use crate::play::link::DAY;
 use crate::play::page::{Event, Page};
 use crate::play::playhead::SPEEDS;
+use crate::play::strip::strip;
 use crate::surface::decimal;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlInputElement, HtmlSelectElement, KeyboardEvent};
@@ -18,6 +19,9 @@ pub struct Timeline {
     last_day: Element,
     play: Element,
     notice: Element,
+    strip: Element,
+    /// Growth, newest, shown and last day that the strip shows.
+    in_strip: Option<[u32; 4]>,
     _listeners: Vec<Listener>,
 }
 
@@ -68,11 +72,13 @@ impl Timeline {
             last_day: find("last-day"),
             play: find("play"),
             notice: find("notice"),
+            strip: find("strip"),
+            in_strip: None,
             _listeners: listeners,
         }
     }
 
-    pub fn show(&self, page: &Page) {
+    pub fn show(&mut self, page: &Page) {
         let (run, playhead) = (page.run(), page.playhead());
         let last_day = run.last_day();
         let grown = run.newest().unwrap_or(0);
@@ -100,6 +106,12 @@ impl Timeline {
         );
         set_flag(&self.play, "data-playing", playhead.is_playing());
         set_text(&self.notice, &page.notice());
+        let in_strip = run.newest().map(|newest| [run.generation, newest, shown, last_day]);
+        if in_strip != self.in_strip {
+            self.in_strip = in_strip;
+            set_attribute(&self.strip, "viewBox", format!("0 0 {last_day} 1000"));
+            self.strip.set_inner_html(&strip(run, &run.scene.look.cells, shown));
+        }
     }
 }
 

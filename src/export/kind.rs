@@ -7,6 +7,7 @@ pub enum Kind {
     Ply,
     Obj,
     ThreeMf,
+    Usdz,
     Svg,
     Tile,
     Days,
@@ -15,11 +16,12 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub const ALL: [Kind; 9] = [
+    pub const ALL: [Kind; 10] = [
         Kind::Glb,
         Kind::Ply,
         Kind::Obj,
         Kind::ThreeMf,
+        Kind::Usdz,
         Kind::Svg,
         Kind::Tile,
         Kind::Days,
@@ -34,6 +36,7 @@ impl Kind {
             Kind::Ply => "ply",
             Kind::Obj => "obj",
             Kind::ThreeMf => "3mf",
+            Kind::Usdz => "usdz",
             Kind::Svg => "svg",
             Kind::Tile => "tile",
             Kind::Days => "days",

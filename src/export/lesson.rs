@@ -1,6 +1,6 @@
 //! A lesson on paper, and what grew beside what was said, as a strip.
 
-use super::chart::{escaped, step};
+use super::chart::{Chart, Line, escaped, step};
 use crate::play::lesson::{Answers, Grown, Guess, Kind, Lesson, Said, Step};
 use std::fmt::Write;
 
@@ -16,7 +16,7 @@ pub fn strip(grown: &Grown, said: Option<Said>, is_share: bool) -> String {
     let [width, height] = SIZE;
     let said = said.and_then(|said| match said {
         Said::Number(x) => Some(x),
-        Said::Choice(_) => None,
+        Said::Choice(_) | Said::Curve(_) => None,
     });
     let ends = grown.usual.map(|usual| usual.ends);
     let all = grown.values.iter().copied().chain(ends.into_iter().flatten());
@@ -71,6 +71,24 @@ pub fn strip(grown: &Grown, said: Option<Said>, is_share: bool) -> String {
         );
     }
     svg + "</svg>"
+}
+
+/// A curve that was drawn and the one that grew, in 100 of something, beside each other.
+pub fn curves(of: &str, days: &[u32], said: &[f64], grown: &[f64]) -> Chart {
+    let line = |name: &str, colour: &str, is_dashed, values: &[f64]| {
+        // Where nothing was said there is nothing to draw.
+        let values = (0..days.len()).map(|k| values.get(k).map_or(f64::NAN, |value| value / 100.0));
+        let (name, colour) = (name.to_string(), colour.to_string());
+        Line { name, colour, is_dashed, is_dots: false, values: values.collect() }
+    };
+    Chart {
+        title: of.to_string(),
+        along: "day",
+        places: days.iter().map(u32::to_string).collect(),
+        lines: vec![line("you", "#d8a51d", true, said), line("grown", "#2f5f34", false, grown)],
+        is_share: true,
+        ..Chart::default()
+    }
 }
 
 /// A number that stands below a mark: `20,000` is `20k`.
@@ -138,6 +156,17 @@ fn write_task(lesson: &Lesson, answers: &Answers, (k, step): (usize, &Step), htm
                 }
                 Guess::Number { of } if told.is_empty() => {
                     let _ = write!(html, "<p>My number: {RULE} {}</p>", escaped(of));
+                }
+                Guess::Sketch { of, days } if told.is_empty() => {
+                    let heads: String =
+                        days.iter().map(|day| format!("<th>Day {day}</th>")).collect();
+                    let cells = "<td></td>".repeat(days.len());
+                    let _ = write!(
+                        html,
+                        "<p>{}: draw the curve, 0 at the foot and 100 at the head.</p>\
+                         <table class=\"sketch\"><tr>{cells}</tr><tr>{heads}</tr></table>",
+                        escaped(of)
+                    );
                 }
                 _ => {
                     let _ = write!(html, "<p>I said {told}.</p>");

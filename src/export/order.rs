@@ -6,11 +6,13 @@ use super::days::DayNumbers;
 use super::glb::write_glb;
 use super::kind::Kind;
 use super::obj::{write_mtl, write_obj};
+use super::picture::write_opaque;
 use super::ply::write_ply;
 use super::specimen::Specimen;
 use super::svg;
 use super::three_mf::write_3mf;
 use super::tile::Tile;
+use super::usdz::write_usdz;
 use crate::mosaic::Pattern;
 use crate::plants::{self, Show};
 use crate::play::{Scene, link};
@@ -89,11 +91,14 @@ impl Order {
             }
             Kind::Tile => {
                 let tile = Tile::new(mesh, TILE_SIDE_CM, &self.scene.look, &diary, day);
-                let written = file(|out| write_png(&tile, out));
+                let written = file(|out| {
+                    out.extend(write_opaque(TILE_PX, &tile.pixels(TILE_PX))?);
+                    Ok(())
+                });
                 written.map(|written| written.told(format!("{TILE_PX} pixels wide")))
             }
             Kind::Days => unreachable!("written above"),
-            Kind::Glb | Kind::Ply | Kind::Obj | Kind::ThreeMf | Kind::Svg => {
+            Kind::Glb | Kind::Ply | Kind::Obj | Kind::ThreeMf | Kind::Usdz | Kind::Svg => {
                 let ornaments: Vec<Ornament> =
                     self.ornaments.iter().map(|part| part.on(day as u32)).collect();
                 let (body, controls) =
@@ -175,18 +180,22 @@ fn file(content: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> Result<Written,
     Ok(Written { files: vec![bytes], told: String::new() })
 }
 
+/// A file of which its writer says how many triangles it has.
+fn counted(content: impl FnOnce(&mut Vec<u8>) -> io::Result<usize>) -> Result<Written, String> {
+    let mut triangles = 0;
+    let written = file(|out| {
+        triangles = content(out)?;
+        Ok(())
+    })?;
+    Ok(written.told(format!("{triangles} triangles")))
+}
+
 fn write_specimen(kind: Kind, specimen: &Specimen, name: &str) -> Result<Written, String> {
     let triangles = format!("{} triangles", specimen.triangle_count());
     match kind {
         Kind::Svg => write_svg(specimen),
-        Kind::ThreeMf => {
-            let mut triangles = 0;
-            let written = file(|out| {
-                triangles = write_3mf(specimen, out)?;
-                Ok(())
-            })?;
-            Ok(written.told(format!("{triangles} triangles")))
-        }
+        Kind::ThreeMf => counted(|out| write_3mf(specimen, out)),
+        Kind::Usdz => counted(|out| write_usdz(specimen, out)),
         Kind::Obj => {
             let mut written = file(|out| write_obj(specimen, name, out))?;
             written.files.append(&mut file(|out| write_mtl(specimen, out))?.files);
@@ -241,13 +250,4 @@ fn ground_of_tile(scene: &Scene) -> Result<Mesh, String> {
         return Err(format!("a tile of this recipe needs {fewest} first cells, not {cells}"));
     }
     Ok(flat_torus(TILE_SIDE_CM, TILE_SQUARES))
-}
-
-fn write_png(tile: &Tile, out: &mut Vec<u8>) -> io::Result<()> {
-    let mut encoder = png::Encoder::new(out, TILE_PX, TILE_PX);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    let mut png = encoder.write_header().map_err(io::Error::other)?;
-    png.write_image_data(&tile.pixels(TILE_PX)).map_err(io::Error::other)
 }

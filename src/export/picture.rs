@@ -31,6 +31,22 @@ pub fn write_picture(size_px: [u32; 2], pixels: &[u8], link: &str) -> io::Result
     Ok(bytes)
 }
 
+/// The PNG of a square of pixels, three bytes each in sRGB, row by row from the top.
+///
+/// # Errors
+/// Pixels that are not as many as the side says.
+pub(super) fn write_opaque(side_px: u32, pixels: &[u8]) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, side_px, side_px);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let mut png = encoder.write_header().map_err(io::Error::other)?;
+    png.write_image_data(pixels).map_err(io::Error::other)?;
+    png.finish().map_err(io::Error::other)?;
+    Ok(bytes)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

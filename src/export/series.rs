@@ -106,7 +106,7 @@ pub fn steps(grown: &[Grown]) -> Option<(Chart, String)> {
     let Grown { scene, .. } = grown.first()?;
     let plant = scene.plant;
     let differs = |p: &&Parameter| grown.iter().any(|other| p.get(&other.scene) != p.get(scene));
-    let parameter = PARAMETERS.iter().filter(|p| p.is_for(plant)).find(differs)?;
+    let parameter = PARAMETERS.iter().filter(|p| p.is_for(plant) && !p.is_colour).find(differs)?;
     let mut steps: Vec<(f64, Vec<f64>)> = Vec::new();
     for grown in grown {
         let value = parameter.get(&grown.scene);

@@ -58,6 +58,6 @@ pub fn write_3mf(specimen: &Specimen, out: &mut impl Write) -> io::Result<usize>
         ("_rels/.rels", RELATIONS.as_bytes()),
         ("3D/3dmodel.model", model.as_bytes()),
     ];
-    write_zip(&files, out)?;
+    write_zip(&files, 1, out)?;
     Ok(solid.triangles.len())
 }

@@ -2,11 +2,14 @@
 
 use std::io::{self, Write};
 
-/// Writes a ZIP of named files.
+/// The header of an extra field that is padding (APPNOTE.TXT, 4.5.1; this number is for nothing else).
+const PADDING: u16 = 0x1986;
+
+/// Writes a ZIP of named files, the content of each at a whole multiple of `aligned` bytes, up to 64.
 ///
 /// # Errors
 /// What `out` says, and more than 4 GB, which the plain format cannot hold.
-pub fn write_zip(files: &[(&str, &[u8])], out: &mut impl Write) -> io::Result<()> {
+pub fn write_zip(files: &[(&str, &[u8])], aligned: usize, out: &mut impl Write) -> io::Result<()> {
     let mut at = 0;
     let mut directory = Vec::new();
     for &(name, bytes) in files {
@@ -16,17 +19,19 @@ pub fn write_zip(files: &[(&str, &[u8])], out: &mut impl Write) -> io::Result<()
             [20u16, 0, 0, 0, 33].into_iter().flat_map(u16::to_le_bytes).collect();
         facts.extend(long.into_iter().flat_map(u32::to_le_bytes));
         facts.extend((name.len() as u16).to_le_bytes());
-        facts.extend([0; 2]);
-        for part in [&b"PK\x03\x04"[..], &facts, name.as_bytes(), bytes] {
+        // The length of the extra field stands before the name.
+        let padding = padding(at + 4 + facts.len() + 2 + name.len(), aligned);
+        let length = (padding.len() as u16).to_le_bytes();
+        for part in [&b"PK\x03\x04"[..], &facts, &length, name.as_bytes(), &padding, bytes] {
             out.write_all(part)?;
         }
         directory.extend(b"PK\x01\x02\x14\x00");
         directory.extend(&facts);
-        // No comment, disc 0, plain attributes.
-        directory.extend([0; 10]);
+        // No extra field here, no comment, disc 0, plain attributes.
+        directory.extend([0; 12]);
         directory.extend(size(at)?.to_le_bytes());
         directory.extend(name.as_bytes());
-        at += 4 + facts.len() + name.len() + bytes.len();
+        at += 4 + facts.len() + 2 + name.len() + padding.len() + bytes.len();
     }
     out.write_all(&directory)?;
     out.write_all(b"PK\x05\x06\0\0\0\0")?;
@@ -37,8 +42,21 @@ pub fn write_zip(files: &[(&str, &[u8])], out: &mut impl Write) -> io::Result<()
     out.write_all(&[0; 2])
 }
 
+/// An extra field after which a file's content is aligned; none where it is without one.
+fn padding(at: usize, aligned: usize) -> Vec<u8> {
+    let missing = at.next_multiple_of(aligned) - at;
+    if missing == 0 {
+        return Vec::new();
+    }
+    // Number and length of the field have two bytes each.
+    let whole = if missing < 4 { missing + aligned } else { missing };
+    let mut field = [PADDING, whole as u16 - 4].map(u16::to_le_bytes).concat();
+    field.resize(whole, 0);
+    field
+}
+
 fn size(bytes: usize) -> io::Result<u32> {
-    u32::try_from(bytes).map_err(|_| io::Error::other("a 3MF file cannot hold more than 4 GB"))
+    u32::try_from(bytes).map_err(|_| io::Error::other("such a file cannot hold more than 4 GB"))
 }
 
 /// The check of ISO 3309, a byte at a time.

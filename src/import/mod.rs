@@ -1,9 +1,17 @@
-//! Files in: what was taken away is opened again, as the link of the scene that it shows.
+//! Files in: what was taken away is opened again, as the link of the scene that it shows; and photographs, as
+//! the colours of a plant.
+
+mod own;
+mod palette;
+mod photo;
 
 use crate::plants::{self, Look};
 use crate::play::{FIRST_INDIVIDUAL, Scene, link};
 use crate::surface::quoted;
 use crate::tissue::Recipe;
+pub use own::{Own, of_document, of_mesh};
+pub use palette::{Palette, Part, Photo, palette};
+pub use photo::{coloured, matched, patterned, types};
 use serde_json::Value;
 
 /// The link of the scene in a file: of a picture, a model or a drawing that was taken away here the one that

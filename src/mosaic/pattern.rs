@@ -3,11 +3,10 @@
 use super::{Piece, polygons};
 use crate::surface::{Charts, Mesh};
 use crate::tissue::{CellType, DayCount, Diary};
-use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 /// A day's pattern in numbers. Arrays are indexed by `CellType`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Pattern {
     pub count: DayCount,
     /// Share of the whole surface that is in the polygons of each type, 0 to 1. A part without

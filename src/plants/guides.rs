@@ -25,11 +25,17 @@ pub enum GuideVector {
     OnLeaves { at: Vec2, direction: Vec2 },
     /// On the triangle whose centre is nearest to a point.
     Near { point_cm: Vec3, direction: Vec3 },
+    /// On every triangle, along the vein up to this order that is nearest to its centre. It stands alone.
+    AlongVeins { order: u32 },
 }
 
 impl Guides {
     /// The field on a mesh, or in words why there is none.
     pub fn lead(&self, mesh: &Mesh) -> Result<DirectionField, String> {
+        if let &[GuideVector::AlongVeins { order }] = self.vectors {
+            let along = DirectionField::along_veins(mesh, order);
+            return along.ok_or_else(|| format!("the mesh has no veins up to order {order}"));
+        }
         let mut guides = Vec::new();
         for part in 0..mesh.part_count() as u32 {
             for vector in self.vectors {
@@ -60,9 +66,14 @@ impl Guides {
         let numbers = self.vectors.iter().flat_map(|vector| match *vector {
             GuideVector::OnLeaves { at, direction } => [at.extend(0.0), direction.extend(0.0)],
             GuideVector::Near { point_cm, direction } => [point_cm, direction],
+            GuideVector::AlongVeins { .. } => [Vec3::ZERO; 2],
         });
         for number in numbers.flat_map(|v| v.to_array()) {
             kept("a number of a vector", number, -10_000.0, 10_000.0)?;
+        }
+        let of_veins = |vector: &GuideVector| matches!(vector, GuideVector::AlongVeins { .. });
+        if self.vectors.iter().any(of_veins) && self.vectors.len() > 1 {
+            return Err("along_veins leads every triangle: it stands alone".into());
         }
         match self.vectors.len() {
             1..=500 => Ok(()),

@@ -16,6 +16,7 @@ mod banded_cactus;
 mod begonia;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod bodies;
+mod brought;
 mod cactus;
 mod coleus;
 mod croton;
@@ -46,12 +47,15 @@ mod square_watermelon;
 mod tests;
 mod watermelon;
 mod winter_squash;
+mod words;
 
-use crate::surface::{DirectionField, Mesh, ObjError, SurfaceError};
+use crate::surface::{Body, DirectionField, Mesh, ObjError, SurfaceError};
 use crate::tissue::{Control, Growth, Recipe, RecipeError};
+pub use brought::{OWN, bring, brought, to_text};
 pub use diagram::{Diagram, Layer};
 pub use document::PlantError;
 use document::{List, Text, kept, kept_list, kept_text, kept_texts};
+use glam::Vec3;
 pub use guides::{GuideVector, Guides};
 pub use look::{Look, Skin, linear, srgb};
 use paint::Paint;
@@ -85,22 +89,57 @@ pub struct Plant {
     pub first_day: u32,
 }
 
-/// What moves while cells grow.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// What moves while cells grow, beside the moments that a mesh may have.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Motion {
     /// The day on which each part of the body unfolds, in their order; those that are not named are
     /// there from day 0.
-    #[serde(deserialize_with = "kept_list")]
+    #[serde(default, deserialize_with = "kept_list")]
     pub unfolding_days: List<u32>,
+    /// How large the body is on some days, in the order of these; in between it grows evenly. Empty: it is always
+    /// as it was made.
+    #[serde(default, deserialize_with = "kept_list")]
+    pub growth: List<Stretch>,
+}
+
+/// How large a body is on a day.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stretch {
+    pub day: u32,
+    /// Times its size as it was made, along x, y and z, from the origin; 0.01 to 100.
+    pub factors: [f32; 3],
 }
 
 impl Motion {
-    /// All is there from day 0.
-    pub const STILL: Motion = Motion { unfolding_days: &[] };
+    /// All is there from day 0, as it was made.
+    pub const STILL: Motion = Motion { unfolding_days: &[], growth: &[] };
+
+    fn check(&self) -> Result<(), String> {
+        if let Some(day) = self.unfolding_days.iter().find(|&&day| day > 1000) {
+            return Err(format!("a part unfolds on day {day}: at most 1000"));
+        }
+        if let Some(pair) = self.growth.windows(2).find(|pair| pair[0].day >= pair[1].day) {
+            return Err(format!("growth: day {} stands after day {}", pair[1].day, pair[0].day));
+        }
+        let mut factors = self.growth.iter().flat_map(|stretch| stretch.factors);
+        factors.try_for_each(|factor| document::kept("a factor of growth", factor, 0.01, 100.0))
+    }
 }
 
 impl Plant {
+    /// Its body, grown from the text of its mesh file.
+    pub fn grow_body(&self, obj: &str) -> Result<Body, BodyError> {
+        Ok(self.growing(self.body.grow(obj)?))
+    }
+
+    /// A body that grows as the plant's own does.
+    pub fn growing(&self, body: Body) -> Body {
+        let sizes = self.motion.growth.iter().map(|s| (s.day as f32, Vec3::from(s.factors)));
+        body.stretched(&sizes.collect::<Vec<_>>())
+    }
+
     /// Sows an individual on the plant's surface, under its control images and along its direction
     /// field, each part on its day; the recipe may be another than the plant's own.
     pub fn sow(
@@ -157,8 +196,8 @@ pub enum BodyError {
 #[cfg(not(target_arch = "wasm32"))]
 impl Plant {
     /// The body, grown from the mesh file that this program carries.
-    pub fn embedded_body(&self) -> crate::surface::Body {
-        self.body.grow(self.body.mesh.text).expect("our own meshes are sound")
+    pub fn embedded_body(&self) -> Body {
+        self.grow_body(self.body.mesh.text).expect("our own meshes are sound")
     }
 }
 

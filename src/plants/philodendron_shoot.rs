@@ -16,7 +16,7 @@ pub const PLANT: Plant = Plant {
     },
     // On the last day the leaves, from the oldest near the pot to the youngest, are of 32, 30, 27, 25,
     // 23 and 20 days.
-    motion: Motion { unfolding_days: &[0, 2, 5, 7, 9, 12] },
+    motion: Motion { unfolding_days: &[0, 2, 5, 7, 9, 12], ..Motion::STILL },
     first_day: philodendron::PLANT.recipe.days,
     ..philodendron::PLANT
 };

@@ -100,11 +100,7 @@ impl Class {
     pub fn told(&self, scene: &Scene) -> Vec<String> {
         self.hidden(scene)
             .map(|number| {
-                let value = number.get(scene);
-                let value = match number.names.get(value as usize) {
-                    Some(name) => (*name).to_string(),
-                    None => number.said(value),
-                };
+                let value = number.said(number.get(scene));
                 format!("{} ({}): {value}", number.label(scene.plant), number.key)
             })
             .collect()

@@ -50,6 +50,10 @@ pub enum Event {
     /// The hand lets go.
     LetGo,
     PlayOrPause,
+    /// Somebody is here for the first time: it plays once, unless less motion is asked for.
+    Premiere,
+    /// Whatever the visitor did ends that.
+    EndPremiere,
     /// Times the usual speed.
     Speed(f64),
     Loop(bool),
@@ -114,7 +118,7 @@ pub enum Effect {
     WriteLink(String),
     /// The same, but the one before stays in the browser's history.
     PushLink(String),
-    /// For the live region.
+    /// For the live region, and the page has a new title.
     Say(String),
     /// Messages for the visitor, to be dismissed by hand; they replace older ones.
     Tell(Vec<String>),
@@ -131,6 +135,18 @@ pub enum State {
     Ready,
     /// It will not come; the messages say why.
     Error,
+}
+
+impl State {
+    /// Its word for tests and embedders.
+    pub fn word(self) -> &'static str {
+        match self {
+            State::Loading => "loading",
+            State::Growing => "growing",
+            State::Ready => "ready",
+            State::Error => "error",
+        }
+    }
 }
 
 /// What is to be on the screen.

@@ -2,6 +2,7 @@
 //! its own, and says which day of which growth every picture shows. Like the page's brain it knows no
 //! browser.
 
+use super::camera::Orbit;
 use super::figures::Figure;
 use super::hand::Hand;
 use super::meshes::Meshes;
@@ -11,6 +12,7 @@ use super::run::DayFacts;
 use super::{End, Run, Scene, link, words};
 use crate::mosaic::SiteLists;
 use crate::plants::Plant;
+use glam::Vec2;
 
 /// Of so many pictures all days are held.
 const ALL_DAYS_OF: usize = 12;
@@ -24,6 +26,8 @@ pub enum Event {
     Open(&'static Figure),
     /// A day is wished for all pictures of the row.
     Day(u32),
+    /// All pictures of the row are turned, in degrees, and zoomed by a factor: they have one camera.
+    Look { right_deg: f32, up_deg: f32, zoom: f32 },
     /// A worker, by its number, says something.
     FromWorker(usize, ToPage),
     /// The worker of a number is gone or cannot be had, and why.
@@ -104,6 +108,12 @@ impl Gallery {
         match event {
             Event::Open(figure) => self.open(figure, &mut effects),
             Event::Day(day) => self.wish_day(day),
+            Event::Look { right_deg, up_deg, zoom } => {
+                for scene in self.row.iter_mut().flat_map(|row| &mut row.pictures) {
+                    let orbit = scene.orbit.turned(right_deg, up_deg).zoomed(zoom, Vec2::ZERO);
+                    scene.orbit = orbit.above(Orbit::lowest_deg(scene.plant));
+                }
+            }
             Event::FromWorker(number, answer) => self.listen(number, answer, &mut effects),
             Event::WorkerLost(number, why) => self.lose(number, why, &mut effects),
             Event::Mesh { name, text } => {

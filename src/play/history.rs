@@ -45,6 +45,13 @@ impl History {
         self.now = self.scenes.len() - 1;
     }
 
+    /// What was there before the last change of more than day, view or what is seen; None if there was none.
+    pub fn before_last_change(&self) -> Option<&Scene> {
+        let now = self.now();
+        let before = self.scenes[..self.now].iter().rev();
+        before.into_iter().find(|scene| !scene.grows_like(now) || scene.look != now.look)
+    }
+
     pub fn can_undo(&self) -> bool {
         self.now > 0
     }
@@ -104,6 +111,21 @@ mod tests {
         assert_eq!(history.undo().unwrap().individual, 3, "a step of its own");
         history.go_on(individual(5), change);
         assert_eq!(history.undo().unwrap().individual, 3);
+    }
+
+    #[test]
+    fn what_was_before_the_last_change_differs_in_more_than_day_and_view() {
+        let mut history = History::new(individual(1));
+        assert!(history.before_last_change().is_none());
+        history.go_on(individual(2), Change::Other);
+        history.go_on(Scene { day: 1, ..individual(2) }, Change::Other);
+        let turned = individual(2).orbit.turned(30.0, 0.0);
+        history.go_on(Scene { orbit: turned, ..individual(2) }, Change::View);
+        assert_eq!(history.before_last_change().unwrap().individual, 1);
+        let mut darker = individual(2);
+        darker.look.border = 0.9;
+        history.go_on(darker, Change::Parameter("bo"));
+        assert!(history.before_last_change().unwrap().orbit == turned);
     }
 
     #[test]

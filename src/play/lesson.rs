@@ -67,6 +67,8 @@ pub enum Guess {
     Bar { of: String },
     /// A number of something.
     Number { of: String },
+    /// A curve: how many in 100 of something on each of some days, which ascend.
+    Sketch { of: String, days: Vec<u32> },
 }
 
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -104,5 +106,13 @@ impl Lesson {
     pub fn asked_before(&self, step: usize) -> Option<usize> {
         let before = self.steps.get(..step)?;
         before.iter().rposition(|step| matches!(step.kind, Kind::Predict { .. }))
+    }
+
+    /// The days of the curve that a step's growth answers; None if what was asked is no curve.
+    pub fn sketched_before(&self, step: usize) -> Option<&[u32]> {
+        match &self.steps[self.asked_before(step)?].kind {
+            Kind::Predict { guess: Guess::Sketch { days, .. }, .. } => Some(days),
+            _ => None,
+        }
     }
 }

@@ -7,7 +7,7 @@ use super::camera::Orbit;
 use super::parameters::{PARAMETERS, Parameter};
 use super::scene::{FIRST_INDIVIDUAL, Scene};
 use super::typed;
-use crate::plants::{Plant, Show};
+use crate::plants::{OWN, Plant, Show, brought};
 use crate::surface::quoted;
 use glam::Vec2;
 use std::fmt::Write;
@@ -40,7 +40,7 @@ pub fn write(scene: &Scene) -> String {
     for parameter in PARAMETERS {
         let value = parameter.get(scene);
         if value != parameter.get(&preset) {
-            let _ = write!(link, "&{}={value}", parameter.key);
+            let _ = write!(link, "&{}={}", parameter.key, parameter.written(value));
         }
     }
     if scene.noise {
@@ -73,8 +73,15 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
     let text = text.trim_end_matches(hangs_on);
     let (name, query) = text.split_once('?').unwrap_or((text, ""));
     let mut left_out = Vec::new();
-    let plant = plants.iter().find(|p| p.key == name).unwrap_or_else(|| {
-        if !name.is_empty() {
+    let known = plants.iter().find(|p| p.key == name).or_else(|| brought(name));
+    let plant = known.unwrap_or_else(|| {
+        if name.starts_with(OWN) {
+            left_out.push(format!(
+                "{} is a plant of somebody's own, and its file is not here: the {} stands in its place.",
+                shown(name),
+                plants[0].name.to_ascii_lowercase()
+            ));
+        } else if !name.is_empty() {
             left_out.push(format!(
                 "There is no plant called {} here: the {} stands in its place.",
                 shown(name),
@@ -161,7 +168,7 @@ fn read_parameters(scene: &mut Scene, words: &[Said], left_out: &mut Vec<String>
         let Some(&(_, value, pair)) = words.iter().find(|said| said.0 == parameter.key) else {
             continue;
         };
-        if let Err(why) = number(value).and_then(|x| parameter.set(scene, x)) {
+        if let Err(why) = parameter.read(value).and_then(|x| parameter.set(scene, x)) {
             leave_out(left_out, &[pair], &why);
             continue;
         }
@@ -210,7 +217,8 @@ fn read_orbit(value: &str) -> Result<Orbit, String> {
     Ok(Orbit { azimuth_deg, elevation_deg, zoom, pan }.limited())
 }
 
-fn number(text: &str) -> Result<f64, String> {
+/// Reads a number; in an error, why it is none.
+pub fn number(text: &str) -> Result<f64, String> {
     typed::plain(text).ok_or_else(|| format!("{} is not a number", shown(text)))
 }
 

@@ -15,6 +15,7 @@ mod history;
 pub mod lesson;
 pub mod link;
 mod meshes;
+mod narration;
 pub mod offline;
 pub mod outline;
 pub mod page;
@@ -26,6 +27,7 @@ mod run;
 mod scene;
 pub mod series;
 pub mod simple;
+pub mod strip;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]

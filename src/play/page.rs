@@ -11,6 +11,7 @@ use super::hand::Hand;
 use super::history::{Change, History};
 use super::link::{self, DAY, INDIVIDUAL, individual};
 use super::meshes::Meshes;
+use super::narration::Moment;
 use super::parameters::Parameter;
 use super::playhead::Playhead;
 use super::run::{End, Run};
@@ -50,7 +51,9 @@ pub struct Page {
     in_hand: Option<InHand>,
     less_motion: bool,
     written: String,
-    said: String,
+    /// What was told of last, and the words for all of it.
+    heard: Option<Moment>,
+    summary: String,
 }
 
 impl Page {
@@ -79,7 +82,8 @@ impl Page {
             in_hand: None,
             less_motion: false,
             written: String::new(),
-            said: String::new(),
+            heard: None,
+            summary: String::new(),
             scene,
         };
         let mut effects = vec![Effect::Tell(opened.left_out)];
@@ -166,7 +170,7 @@ impl Page {
         let Some(Shown { generation, day: Some(day), .. }) = &self.drawn else {
             return State::Loading;
         };
-        let arrived = self.playhead.is_playing() || day.moment == 1.0 && self.sharp;
+        let arrived = self.playhead.plays_on() || day.moment == 1.0 && self.sharp;
         let wished = day.day == self.playhead.wished_day() && *generation == self.run.generation;
         if wished && arrived { State::Ready } else { State::Growing }
     }
@@ -249,6 +253,9 @@ impl Page {
             }
             Event::PlayOrPause if self.playhead.is_playing() => self.playhead.pause(),
             Event::PlayOrPause => self.playhead.play(last_day),
+            Event::Premiere if self.less_motion => {}
+            Event::Premiere => self.playhead.premiere(),
+            Event::EndPremiere => self.playhead.end_premiere(),
             Event::Speed(speed) => self.playhead.speed = speed,
             Event::Loop(looping) => self.playhead.looping = looping,
             Event::Turn { right_deg, up_deg } => {
@@ -375,11 +382,7 @@ impl Page {
         }
         if self.state() == State::Ready {
             self.worked.clone_from(&self.written);
-            let said = self.description();
-            if said != self.said {
-                self.said.clone_from(&said);
-                effects.push(Effect::Say(said));
-            }
+            self.narrate(effects);
         }
     }
 }

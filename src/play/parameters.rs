@@ -1,11 +1,13 @@
 //! The numbers that a visitor can change: one table, from which the panel, the links and the help
 //! are made.
 
+mod colour;
 mod slider;
 mod table;
 
-use super::{Scene, words};
+use super::{Scene, link, words};
 use crate::plants::Plant;
+pub use colour::number_of;
 use slider::Scale;
 pub use table::{PARAMETERS, widen};
 
@@ -25,6 +27,8 @@ pub struct Parameter {
     scale: Scale,
     /// What is chosen by the numbers 0, 1 and so on, and only by these; of plain numbers nothing.
     pub names: &'static [&'static str],
+    /// Whether it is a colour, a number of eight bits for each part of sRGB.
+    pub is_colour: bool,
     /// One line on what it does; may name the colours too.
     effect: &'static str,
     needs: Needs,
@@ -76,6 +80,31 @@ impl Parameter {
     /// Whether it has whole values only.
     pub fn is_whole(&self) -> bool {
         self.step.fract() == 0.0
+    }
+
+    /// Whether it is a plain number, neither a choice nor a colour.
+    pub fn is_number(&self) -> bool {
+        self.names.is_empty() && !self.is_colour
+    }
+
+    /// A value as links say it.
+    pub fn written(&self, value: f64) -> String {
+        if self.is_colour { colour::written(value) } else { value.to_string() }
+    }
+
+    /// Reads a value as links say it; in an error, why it is none.
+    pub fn read(&self, text: &str) -> Result<f64, String> {
+        if self.is_colour { colour::read(text) } else { link::number(text) }
+    }
+
+    /// A value as people read it: its name, its colour, or with its unit.
+    pub fn said(&self, value: f64) -> String {
+        match self.names.get(value as usize) {
+            Some(name) => (*name).to_string(),
+            None if self.is_colour => format!("#{}", self.written(value)),
+            None if self.unit.is_empty() => value.to_string(),
+            None => format!("{value} {}", self.unit),
+        }
     }
 
     /// Its value in a scene.

@@ -30,6 +30,8 @@ enum Motion {
     /// To the wished day, or as far towards it as has grown.
     Glide,
     Play,
+    /// Once to the wished day, which stays wished.
+    Premiere,
     /// Held by the visitor; whether it played before.
     Scrub {
         played: bool,
@@ -92,16 +94,34 @@ impl Playhead {
         self.motion = Motion::Play;
     }
 
+    /// Plays once from the beginning to the wished day, for who sees it for the first time.
+    pub fn premiere(&mut self) {
+        self.time = 0.0;
+        self.motion = Motion::Premiere;
+    }
+
+    /// Ends what plays for the first time on the day that is shown.
+    pub fn end_premiere(&mut self) {
+        if self.motion == Motion::Premiere {
+            self.pause();
+        }
+    }
+
     /// Comes to rest on the day that is shown.
     pub fn pause(&mut self) {
-        if self.motion == Motion::Play {
+        if matches!(self.motion, Motion::Play | Motion::Premiere) {
             self.wished_day = self.day_and_moment().0;
             self.motion = Motion::Glide;
         }
     }
 
     pub fn is_playing(&self) -> bool {
-        matches!(self.motion, Motion::Play | Motion::Scrub { played: true })
+        matches!(self.motion, Motion::Play | Motion::Premiere | Motion::Scrub { played: true })
+    }
+
+    /// Whether it plays without a day that it is to come to rest on.
+    pub fn plays_on(&self) -> bool {
+        self.is_playing() && self.motion != Motion::Premiere
     }
 
     /// Whether the visitor's hand is on the time line.
@@ -130,6 +150,7 @@ impl Playhead {
     pub fn is_moving(&self, newest: Option<u32>, last_day: u32) -> bool {
         match self.motion {
             Motion::Glide => self.time != self.goal(newest),
+            Motion::Premiere => self.time < self.goal(newest),
             Motion::Play => {
                 let newest = newest.map_or(0.0, f64::from);
                 self.time < newest || newest >= f64::from(last_day)
@@ -160,6 +181,13 @@ impl Playhead {
                 self.time = if arrives { goal } else { self.time + step.copysign(way) };
             }
             Motion::Play => self.play_on(seconds, newest, last_day),
+            Motion::Premiere => {
+                let time = self.time + self.speed * DAYS_PER_S * seconds;
+                self.time = time.min(self.goal(newest));
+                if self.time == f64::from(self.wished_day) {
+                    self.motion = Motion::Glide;
+                }
+            }
             Motion::Scrub { .. } => {}
         }
     }
@@ -258,6 +286,28 @@ mod tests {
         assert!(playhead.is_playing() && playhead.is_moving(Some(30), 30));
         playhead.pause();
         assert_eq!(playhead.wished_day(), 3);
+    }
+
+    #[test]
+    fn the_first_play_keeps_its_wish_and_ends_there_or_where_it_is_stopped() {
+        let mut playhead = Playhead::new(5);
+        playhead.premiere();
+        playhead.advance(1.5, Some(2), 10);
+        assert_eq!((playhead.time(), playhead.wished_day()), (2.0, 5), "it waits for growth");
+        assert!(playhead.is_playing() && !playhead.plays_on());
+        assert!(!playhead.is_moving(Some(2), 10));
+        let mut stopped = playhead.clone();
+        stopped.advance(0.25, Some(10), 10);
+        stopped.end_premiere();
+        stopped.advance(10.0, Some(10), 10);
+        assert_eq!((stopped.time(), stopped.wished_day()), (3.0, 3));
+        playhead.advance(10.0, Some(10), 10);
+        assert!(playhead.is_at_rest() && !playhead.is_playing());
+        assert_eq!(playhead.time(), 5.0);
+        // What plays by the visitor's will is not stopped.
+        playhead.play(10);
+        playhead.end_premiere();
+        assert!(playhead.is_playing());
     }
 
     #[test]

@@ -24,17 +24,17 @@ const VIEWS: [View; 4] = [
     View {
         key: "nursery",
         title: "Nursery",
-        caption: "One recipe, many individuals: chance alone tells them apart.",
+        caption: "One recipe, many individuals: chance alone tells them apart. Drag one to turn all.",
     },
     View {
         key: "steps",
         title: "In steps",
-        caption: "Below each picture stands what tells it from the others.",
+        caption: "Below each picture stands what tells it from the others. Drag one to turn all.",
     },
     View {
         key: "compare",
         title: "Side by side",
-        caption: "Below each plant stands what tells it from the other one.",
+        caption: "Below each plant stands what tells it from the others. Drag one to turn all.",
     },
 ];
 
@@ -109,7 +109,7 @@ fn label(scene: &Scene, all: &[Scene]) -> String {
         parts.push(plant.name.to_string());
     }
     let numbers = PARAMETERS.iter().filter(|p| p.is_for(plant) && differs(&|s| p.get(s)));
-    parts.extend(numbers.map(|p| format!("{} {}", p.label(plant), p.get(scene))));
+    parts.extend(numbers.map(|p| format!("{} {}", p.label(plant), p.written(p.get(scene)))));
     if differs(&|s| s.noise.into()) {
         parts.push(if scene.noise { "Perlin noise" } else { "clones" }.to_string());
     }

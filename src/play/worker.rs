@@ -5,7 +5,7 @@ use super::link;
 use super::protocol::{BUILD, DayNews, ToPage, ToWorker};
 use super::run::DayFacts;
 use crate::mosaic::SiteFinder;
-use crate::plants::Plant;
+use crate::plants::{Plant, bring};
 use crate::surface::Mesh;
 use crate::tissue::{Diary, Growth, Noise, Pedigree, Progress};
 use std::sync::Arc;
@@ -49,6 +49,8 @@ impl Worker {
         let (generation, link) = match wish {
             ToWorker::Grow { generation, link } => (generation, link),
             ToWorker::Mesh { name, text } => {
+                // That of a plant of the visitor's own says it.
+                bring(&text);
                 self.meshes.push((name, text));
                 return None;
             }
@@ -120,7 +122,7 @@ impl Worker {
         let mesh = self.meshes.iter().find(|(name, _)| name == plant.body.mesh.name);
         let (_, text) = mesh.ok_or_else(|| format!("{} has not come", plant.body.mesh.name))?;
         let body =
-            plant.body.grow(text).map_err(|why| format!("{}: {why}", plant.body.mesh.name))?;
+            plant.grow_body(text).map_err(|why| format!("{}: {why}", plant.body.mesh.name))?;
         let surface = Arc::new(body.surface);
         let finder = SiteFinder::new(&surface).coloured(plant.controls());
         self.ground = Some(Ground { plant: plant.key, surface: Arc::clone(&surface), finder });

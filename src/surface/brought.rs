@@ -12,6 +12,8 @@ use glam::DVec3;
 #[derive(Clone, Debug)]
 pub struct Brought {
     pub body: Body,
+    /// The polygons that it is made of.
+    pub mesh: PolygonMesh,
     /// Where in the file's coordinates the body's origin lies: zero, except for bodies that are farther
     /// from their origin than they are large, which f32 would round coarsely there.
     pub origin: DVec3,
@@ -69,11 +71,13 @@ impl Brought {
         mesh.faces = stitch::once(patterned, &same);
         let joined_edges = stitch::join_rims(&mut mesh, &same);
         mesh.faces.extend(bare);
+        // As a file that is read has them.
+        mesh.faces.sort_by_key(|face| face.group);
         cut::cut_hollow(&mut mesh);
 
         let body = Body::new(&mesh)?;
         let left_out_triangles = named.saturating_sub(body.surface.triangles.len());
-        Ok(Brought { body, origin, joined_edges, left_out_triangles })
+        Ok(Brought { body, mesh, origin, joined_edges, left_out_triangles })
     }
 }
 

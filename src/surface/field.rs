@@ -1,7 +1,7 @@
 //! The direction field: a unit vector in the plane of each triangle, led by a few control vectors
 //! through radial basis functions (Thesis 3.2.4).
 
-use super::{Frame, Mesh};
+use super::{Frame, Mesh, Place};
 use glam::{DVec3, Vec2, Vec3};
 
 /// A control vector on a triangle.
@@ -70,6 +70,22 @@ impl DirectionField {
         };
         let directions = (0..count as u32).map(|t| direction(t).unwrap_or(Vec2::ZERO)).collect();
         Ok(DirectionField { directions })
+    }
+
+    /// Each triangle goes the way of the vein up to an order that is nearest to its centre, as that goes from its
+    /// foot. None where there is no such vein.
+    pub fn along_veins(mesh: &Mesh, order: u32) -> Option<DirectionField> {
+        if !mesh.veins.any(order) {
+            return None;
+        }
+        let direction = |triangle| {
+            let centre = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
+            let way = mesh.veins.way(mesh, centre, order)?.as_dvec3().normalize_or_zero();
+            in_plane(mesh, triangle, way)
+        };
+        let triangles = 0..mesh.triangles.len() as u32;
+        let directions = triangles.map(|triangle| direction(triangle).unwrap_or(Vec2::ZERO));
+        Some(DirectionField { directions: directions.collect() })
     }
 
     /// The same field on a mesh of the same triangles whose corners have moved: a line along it that is drawn

@@ -39,7 +39,7 @@ pub use mesh::{Frame, Mesh, NO_TWIN, Place};
 pub use motion::{Moment, Motion};
 pub use obj::{Face, Group, Line, ObjError, PolygonMesh};
 pub use outline::Outline;
-pub use packed::unpack;
+pub use packed::{PLAIN, unpack};
 pub use patches::{Patch, cut_into_patches};
 pub use quote::quoted;
 pub use sphere::icosphere;

@@ -2,7 +2,7 @@
 //! what is joined to what stay the same, so that a cell keeps its triangle and its barycentric coordinates.
 
 use super::mesh::has_area;
-use super::{Frame, Mesh};
+use super::{Body, Frame, Mesh};
 use glam::Vec3;
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -57,6 +57,28 @@ impl Motion {
 
     pub fn moments(&self) -> &[Moment] {
         &self.moments
+    }
+}
+
+impl Body {
+    /// A body that is so many times larger along x, y and z, from the origin, on these days; between them it
+    /// grows evenly. Of moments that it had before nothing is left. Without any days it is left as it is.
+    pub fn stretched(mut self, sizes: &[(f32, Vec3)]) -> Body {
+        if sizes.is_empty() {
+            return self;
+        }
+        let motion = |positions: &[Vec3]| {
+            let stretch = |&(day, factors): &(f32, Vec3)| Moment {
+                day,
+                positions: positions.iter().map(|&p| p * factors).collect(),
+            };
+            Motion::new(sizes.iter().map(stretch).collect())
+        };
+        self.surface.motion = motion(&self.surface.positions);
+        for part in &mut self.ornaments {
+            part.motion = motion(&part.positions);
+        }
+        self
     }
 }
 

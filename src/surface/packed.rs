@@ -5,9 +5,15 @@
 /// The kinds of lines that are packed, and what their numbers are whole parts of.
 const KINDS: [(&str, i32); 5] = [("v", 100), ("vt", 100), ("f", 1), ("l", 1), ("#v", 100)];
 
+/// How a text begins that is not packed.
+pub const PLAIN: &str = "# plain ";
+
 /// The OBJ text that was packed. Lines that are none of ours are left as they are, for whoever reads the
 /// text to refuse.
 pub fn unpack(packed: &str) -> String {
+    if packed.starts_with(PLAIN) {
+        return packed.to_string();
+    }
     let mut text = String::with_capacity(2 * packed.len());
     let mut before: [Vec<i32>; KINDS.len()] = Default::default();
     for line in packed.lines() {

@@ -95,13 +95,26 @@ impl Veins {
     /// How far a place lies from the nearest vein up to an order, straight through space; infinitely far
     /// where there is none.
     pub fn distance_cm(&self, mesh: &Mesh, place: Place, order: u32) -> f32 {
-        let triangle = place.triangle as usize;
-        let Some(&end) = self.ends.get(triangle) else { return f32::INFINITY };
-        let start = if triangle == 0 { 0 } else { self.ends[triangle - 1] };
         let point = mesh.point(place);
-        let pieces = self.near[start as usize..end as usize].iter();
-        let of = pieces.map(|&k| &self.pieces[k as usize]).filter(|piece| piece.order <= order);
+        let of = self.near(place.triangle, order);
         of.fold(f32::INFINITY, |least, piece| least.min(piece.distance_cm(point)))
+    }
+
+    /// The way, in space, of the piece up to an order that is nearest to a place; the first of several.
+    pub(super) fn way(&self, mesh: &Mesh, place: Place, order: u32) -> Option<Vec3> {
+        let point = mesh.point(place);
+        let distance_cm = |piece: &&Piece| piece.distance_cm(point);
+        let of = self.near(place.triangle, order);
+        let nearest = of.min_by(|a, b| distance_cm(a).total_cmp(&distance_cm(b)))?;
+        Some(nearest.ends[1] - nearest.ends[0])
+    }
+
+    /// The pieces up to an order that may be nearest to a place of a triangle.
+    fn near(&self, triangle: u32, order: u32) -> impl Iterator<Item = &Piece> {
+        let end = self.ends.get(triangle as usize).copied().unwrap_or(0);
+        let start = triangle.checked_sub(1).and_then(|t| self.ends.get(t as usize).copied());
+        let pieces = self.near[start.unwrap_or(0).min(end) as usize..end as usize].iter();
+        pieces.map(|&k| &self.pieces[k as usize]).filter(move |piece| piece.order <= order)
     }
 
     /// Whether there is a vein up to an order.

@@ -107,6 +107,15 @@ impl Hash {
     }
 }
 
+/// Six characters for words: the same words have the same, and others have others, but for one in a thousand million.
+pub fn name_of(words: impl Iterator<Item = u64>) -> String {
+    let mut hash = Hash::new();
+    words.for_each(|word| hash.add(word));
+    let bits = hash.finish();
+    const DIGITS: &[u8; 32] = b"0123456789abcdefghjkmnpqrstvwxyz";
+    (0..6).map(|k| DIGITS[(bits >> (59 - 5 * k)) as usize & 31] as char).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

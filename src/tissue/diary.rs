@@ -1,8 +1,7 @@
 //! The diary of a growth: who was born of whom, and where everybody stood on each day.
 
-use super::CellType;
+use super::{CellType, name_of};
 use crate::surface::Place;
-use serde::{Deserialize, Serialize};
 
 /// What never changes about a cell. Cells are numbered in the order of their birth, so the cells
 /// of a day are the first ones of the list.
@@ -34,7 +33,7 @@ pub struct Diary {
 }
 
 /// How many cells of each type a day has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DayCount {
     pub cells: u32,
     /// By `CellType`.
@@ -55,14 +54,13 @@ impl Diary {
     /// Six letters and digits that two pictures share only if their cells are the same, bit for
     /// bit: 30 bits of a hash over type and place of every cell, in Crockford's base 32.
     pub fn fingerprint(&self, day: usize) -> String {
-        let mut hash = super::chance::Hash::new();
-        for (place, cell) in self.days[day].places.iter().zip(&self.lineage) {
-            hash.add(u64::from(place.triangle) << 8 | cell.kind as u64);
-            hash.add(u64::from(place.b1.to_bits()) << 32 | u64::from(place.b2.to_bits()));
-        }
-        let bits = hash.finish();
-        const DIGITS: &[u8; 32] = b"0123456789abcdefghjkmnpqrstvwxyz";
-        (0..6).map(|k| DIGITS[(bits >> (59 - 5 * k)) as usize & 31] as char).collect()
+        let cells = self.days[day].places.iter().zip(&self.lineage);
+        name_of(cells.flat_map(|(place, cell)| {
+            [
+                u64::from(place.triangle) << 8 | cell.kind as u64,
+                u64::from(place.b1.to_bits()) << 32 | u64::from(place.b2.to_bits()),
+            ]
+        }))
     }
 }
 

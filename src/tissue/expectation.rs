@@ -1,10 +1,9 @@
 //! Exact means and variances of populations, to test the growth against.
 
 use super::{CellType, Clock, Control, Recipe, Use};
-use serde::{Deserialize, Serialize};
 
 /// How many cells there are in the mean over all individuals, and how far they vary.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Expected {
     pub mean: f64,
     pub variance: f64,

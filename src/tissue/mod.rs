@@ -25,7 +25,7 @@ mod team;
 mod threads;
 
 pub(crate) use bins::{Bins, Rim};
-pub use chance::mix;
+pub use chance::{mix, name_of};
 pub use control::{Control, Use};
 pub use diary::{Day, DayCount, Diary, Lineage};
 pub use expectation::{

@@ -38,7 +38,10 @@ fn no_view_breaks_a_rule() {
     all_rules("the recipe");
     page.click("help");
     all_rules("the keys");
-    page.run("document.getElementById('keys').close()");
+    page.run("document.getElementById('tour').click()");
+    page.wait_for("the tour", "return !!document.querySelector('#tour-card:not([hidden])')");
+    all_rules("the tour");
+    page.run("document.querySelector('#tour-card [data-by=\"0\"]').click()");
     page.click("charts");
     page.wait_for(
         "the charts",
@@ -50,6 +53,11 @@ fn no_view_breaks_a_rule() {
     page.wait_for("the studio", "return document.getElementById('take-away-dialog').open");
     all_rules("what is taken away");
     page.run("document.getElementById('take-away-dialog').close()");
+    page.click("bring-in");
+    page.wait_for("the dialog", "return document.getElementById('bring-in-dialog').open");
+    page.run("document.querySelector('#bring-in-dialog .found').hidden = false");
+    all_rules("what is brought in");
+    page.run("document.getElementById('bring-in-dialog').close()");
     page.click("series");
     page.wait_for("the dialog", "return document.getElementById('series-dialog').open");
     all_rules("what is asked side by side");

@@ -1,7 +1,8 @@
 //! For a class: the presenter, numbers to be found out, simple sliders, and what is printed.
 
+use crate::base64;
 use crate::engines::Graphics;
-use crate::page::{Page, from_base64, keys};
+use crate::page::{Page, keys};
 use clonal_mosaic::plants;
 use clonal_mosaic::play::link;
 use serde_json::json;
@@ -231,7 +232,7 @@ fn on_paper_stand_the_code_and_a_page_of_numbers() {
     assert!(is_seen(&page, "#leaflet") && !is_seen(&page, "#playground"));
     assert!(read_code(&page, "#leaflet .qr").ends_with(LINK));
     let pdf = page.devtools("Page.printToPDF", json!({ "printBackground": false }));
-    let pdf = from_base64(pdf["data"].as_str().unwrap());
+    let pdf = base64::read(pdf["data"].as_str().unwrap());
     let pages = String::from_utf8_lossy(&pdf).matches("/Type /Page\n").count();
     assert!(pages <= 1, "{pages} pages");
     page.run("window.dispatchEvent(new Event('afterprint'))");

@@ -1,7 +1,8 @@
 //! Draws the icons of the installed page anew, from the one of the tab: `./playground posters` runs this.
 
+use crate::base64;
 use crate::engines::Graphics;
-use crate::page::{Page, from_base64};
+use crate::page::Page;
 use serde_json::json;
 use std::path::Path;
 
@@ -40,7 +41,7 @@ fn draw_icons() {
         ));
         page.wait_for("the icon", "return !!window.drawn");
         let drawn = page.run("return window.drawn");
-        let bytes = from_base64(drawn.as_str().expect("a picture"));
+        let bytes = base64::read(drawn.as_str().expect("a picture"));
         std::fs::write(www.join("install").join(name), bytes).expect("it can be written");
     }
 }

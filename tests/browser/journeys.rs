@@ -46,6 +46,28 @@ fn the_chooser_changes_the_plant() {
 }
 
 #[test]
+fn a_plant_is_found_by_its_names() {
+    let Some(page) = Page::open(Graphics::Neither, SOON) else { return };
+    page.ready();
+    let seen = |text: &str| {
+        page.run(&format!(
+            "const search = document.getElementById('find');
+             search.value = '{text}';
+             search.dispatchEvent(new Event('input'));
+             return [...document.getElementById('plants').children]
+                 .filter(item => item.checkVisibility()).map(item => item.innerText.trim()).join()"
+        ))
+    };
+    assert_eq!(seen("MOON "), "Not structured,Moon and Stars");
+    assert_eq!(seen("fittonia"), "Led by veins,Nerve plant");
+    let none = seen("nettle");
+    assert_eq!((none, page.text("not-found")), ("".into(), "No plant is called that.".into()));
+    let all = seen("");
+    assert!(all.as_str().unwrap().split(',').count() >= 25, "{all}");
+    assert_eq!(page.text("not-found"), "");
+}
+
+#[test]
 fn the_slider_goes_both_ways() {
     let Some(page) = Page::open(Graphics::WebGpu, SOON) else { return };
     let fourth = page.on_day(4);

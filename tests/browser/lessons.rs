@@ -62,6 +62,14 @@ fn predict(page: &Page, guess: &Guess) -> String {
             page.press(&[keys::TAB, keys::ENTER]);
             "5 in 100".to_string()
         }
+        Guess::Sketch { days, .. } => {
+            for _ in days {
+                page.press(&[keys::TAB, keys::HOME, keys::UP, keys::UP]);
+            }
+            page.press(&[keys::TAB, keys::ENTER]);
+            let points = days.iter().map(|day| format!("2 on day {day}"));
+            points.collect::<Vec<_>>().join(", ").replacen("2", "2 in 100", 1)
+        }
         Guess::Number { of } => {
             page.press(&[keys::TAB, "1", "2", "0", "0", keys::ENTER]);
             format!("1,200 {of}")
@@ -118,7 +126,7 @@ fn lessons_are_gone_through_by_the_keyboard() {
         ),
     );
     assert_eq!(page.run("return document.documentElement.dataset.view"), "lesson");
-    // A number, a bar, and choices.
+    // A number, a curve, and choices.
     page.run("document.querySelector('[data-lesson-name=doubling]').click()");
     go_through(&page, "doubling");
     assert!(told(&page, ".take").contains("Copy my answers"));

@@ -7,6 +7,8 @@
 
 mod axe;
 mod back;
+mod base64;
+mod bring_in;
 mod class;
 mod clones;
 mod embedding;
@@ -18,6 +20,7 @@ mod graphics;
 mod hosts;
 mod icons;
 mod journeys;
+mod keys;
 mod ladder;
 mod lessons;
 mod light;
@@ -38,5 +41,8 @@ mod server;
 mod start;
 mod studio;
 mod three_engines;
+mod told;
+mod tour;
 mod views;
 mod webdriver;
+mod welcome;

@@ -1,5 +1,6 @@
 //! The built page in a browser of its own, and what its visitor does with it.
 
+use crate::base64;
 use crate::engines::Engine;
 use crate::server::{Server, dist};
 use crate::webdriver::{Element, WebDriver};
@@ -98,6 +99,24 @@ impl Page {
         self.browser.enter_frame();
     }
 
+    /// Opens a page of somebody else's, and stays in it.
+    #[track_caller]
+    pub fn go_to_host(&self, html: &str) {
+        let host = Path::new(env!("CARGO_TARGET_TMPDIR")).join("host");
+        std::fs::create_dir_all(&host).expect("a folder can be made");
+        std::fs::write(host.join("index.html"), html).expect("a file can be written");
+        self.go(&Server::start(&host).address());
+    }
+
+    /// Does something in the first frame of the page.
+    #[track_caller]
+    pub fn in_frame<T>(&self, act: impl FnOnce() -> T) -> T {
+        self.browser.enter_frame();
+        let done = act();
+        self.browser.leave_frame();
+        done
+    }
+
     #[track_caller]
     pub fn state(&self) -> State {
         let data = self.run("return {...document.documentElement.dataset}");
@@ -181,6 +200,17 @@ impl Page {
         let select = "const e = document.getElementById(arguments[0]); e.focus(); e.select()";
         self.browser.execute(select, &[json!(id)]);
         self.browser.type_into(&self.element(&format!("#{id}")), &format!("{text}{}", keys::ENTER));
+    }
+
+    /// Drops a file on the page.
+    pub fn drop(&self, name: &str, kind: &str, bytes: &[u8]) {
+        self.run(&format!(
+            "const data = new DataTransfer();
+             const bytes = Uint8Array.from(atob('{}'), c => c.charCodeAt(0));
+             data.items.add(new File([bytes], '{name}', {{type: '{kind}'}}));
+             document.dispatchEvent(new DragEvent('drop', {{dataTransfer: data, bubbles: true, cancelable: true}}))",
+            base64::written(bytes)
+        ));
     }
 
     /// Drags the day slider there and lets go.
@@ -284,7 +314,7 @@ impl Page {
     /// An element as it is on the screen, as a PNG file.
     #[track_caller]
     pub fn png(&self, css: &str) -> Vec<u8> {
-        from_base64(&self.browser.screenshot(&self.element(css)))
+        base64::read(&self.browser.screenshot(&self.element(css)))
     }
 
     #[track_caller]
@@ -316,20 +346,7 @@ pub fn say(what: &str, why: &str) {
     let _ = writeln!(std::io::stderr(), "{what} {test}: {why}");
 }
 
-/// Keys that are no letters (WebDriver 17.4.2).
-pub mod keys {
-    pub const TAB: &str = "\u{e004}";
-    pub const ENTER: &str = "\u{e007}";
-    pub const ESCAPE: &str = "\u{e00c}";
-    pub const SPACE: &str = " ";
-    pub const PAGE_UP: &str = "\u{e00e}";
-    pub const PAGE_DOWN: &str = "\u{e00f}";
-    pub const END: &str = "\u{e010}";
-    pub const HOME: &str = "\u{e011}";
-    pub const LEFT: &str = "\u{e012}";
-    pub const RIGHT: &str = "\u{e014}";
-    pub const DOWN: &str = "\u{e015}";
-}
+pub(crate) use crate::keys;
 
 /// A screenshot: rows of RGB from the top.
 pub struct Picture {
@@ -364,31 +381,5 @@ impl Picture {
     /// How many different colours there are.
     pub fn colours(&self) -> usize {
         self.rgb.iter().collect::<std::collections::HashSet<_>>().len()
-    }
-}
-
-pub fn from_base64(text: &str) -> Vec<u8> {
-    let value = |c: u8| match c {
-        b'A'..=b'Z' => c - b'A',
-        b'a'..=b'z' => c - b'a' + 26,
-        b'0'..=b'9' => c - b'0' + 52,
-        b'+' => 62,
-        _ => 63,
-    };
-    let mut bytes = Vec::with_capacity(text.len() / 4 * 3);
-    for four in text.trim_end_matches('=').as_bytes().chunks(4) {
-        let bits = four.iter().fold(0u32, |bits, &c| bits << 6 | u32::from(value(c)));
-        let bits = bits << (6 * (4 - four.len()));
-        bytes.extend_from_slice(&bits.to_be_bytes()[1..four.len()]);
-    }
-    bytes
-}
-
-#[test]
-fn base_64_is_read() {
-    for (text, plain) in
-        [("", ""), ("TQ==", "M"), ("TWE=", "Ma"), ("TWFu", "Man"), ("TWFuTQ==", "ManM")]
-    {
-        assert_eq!(from_base64(text), plain.as_bytes());
     }
 }

@@ -1,8 +1,9 @@
 //! `./playground posters`: the stills of all plants and figures, or of those that are named, drawn by the page itself. They are
 //! left as PNG files in `target/posters`; the script makes AVIF of them.
 
+use crate::base64;
 use crate::engines::Graphics;
-use crate::page::{Page, from_base64};
+use crate::page::Page;
 use crate::start::preset_link;
 use clonal_mosaic::plants;
 use clonal_mosaic::play::figures::FIGURES;
@@ -68,7 +69,7 @@ fn posters() {
                  return row.querySelectorAll('canvas')[{k}].toDataURL().split(',')[1]",
                 figure.number
             ));
-            Still::decode(&from_base64(data.as_str().expect("a picture"))).save(&figure.poster(k));
+            Still::decode(&base64::read(data.as_str().expect("a picture"))).save(&figure.poster(k));
         }
     }
 }

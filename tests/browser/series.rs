@@ -118,3 +118,79 @@ fn the_dialog_makes_steps_and_compares() {
     let labels = texts(&page, ".label");
     assert!(labels[0].ends_with("20") && labels[0] != labels[1], "{labels:?}");
 }
+
+#[test]
+fn two_plants_have_one_camera_and_get_a_third_beside_them() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#mushroom?v=1&s=2&d=1") else { return };
+    page.ready();
+    page.run(
+        "const field = document.querySelector('.parameter:has(#parameter-df) [inputmode]');
+         field.value = '9';
+         field.dispatchEvent(new Event('change', {bubbles: true}))",
+    );
+    page.wait_for("the change", "return location.hash.includes('df=9')");
+    page.ready();
+    page.click("turn-left");
+    page.wait_for("the turn", "return location.hash.includes('view=')");
+    page.click("series");
+    page.wait_for("the dialog", "return document.getElementById('series-dialog')?.open === true");
+    page.run(
+        "const dialog = document.getElementById('series-dialog');
+         dialog.querySelector('.other').value = 'before';
+         dialog.querySelector('[data-grow=compare]').click()",
+    );
+    wait_for_pictures(&page, 2);
+    let links = || -> Vec<String> {
+        let script = "return [...document.querySelectorAll('#figure-list .picture')].map(e => e.href.split('#')[1])";
+        serde_json::from_value(page.run(script)).expect("links")
+    };
+    let view = |link: &str| link.split("view=").nth(1).unwrap_or_default().to_string();
+    let before = links();
+    assert!(before[0].contains("df=9") && !before[1].contains("df="), "{before:?}");
+    assert_eq!(view(&before[0]), view(&before[1]));
+
+    // A hand on one of them turns both, and leads nowhere.
+    page.drag("#figure-list .picture:last-child canvas", 120, 20);
+    wait_for_pictures(&page, 2);
+    page.wait_for(
+        "the links",
+        &format!("return !document.querySelector('.picture').href.endsWith('{}')", before[0]),
+    );
+    let turned = links();
+    assert_eq!(view(&turned[0]), view(&turned[1]));
+    assert_ne!(view(&turned[0]), view(&before[0]));
+    assert!(page.link().starts_with("compare/"), "{}", page.link());
+    // So does a button, for who cannot drag.
+    page.wait_for("the buttons", "return !!document.querySelector('.looks [data-key=ArrowLeft]')");
+    page.run("document.querySelector('.looks [data-key=ArrowLeft]').click()");
+    page.wait_for(
+        "a turn",
+        &format!("return !document.querySelector('.picture').href.endsWith('{}')", turned[0]),
+    );
+
+    page.run(
+        "const form = document.querySelector('.one-more');
+         form.querySelector('.number').value = 'n';
+         form.querySelector('.value').value = 'x';
+         form.requestSubmit()",
+    );
+    let told = page.run("return document.querySelector('.one-more .refusal').textContent");
+    assert!(told.as_str().unwrap().ends_with("that is no number."), "{told}");
+    page.run("const form = document.querySelector('.one-more'); form.querySelector('.value').value = '4000'; form.requestSubmit()");
+    wait_for_pictures(&page, 3);
+    let three = links();
+    assert!(three[2].contains("n=4000") && !three[1].contains("n="), "{three:?}");
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
+fn a_figure_opens_as_plants_that_can_be_compared() {
+    let Some(page) = Page::open(Graphics::Neither, "#figures/4.15") else { return };
+    page.wait_for("the row", "return !!document.querySelector('[id=\"figure-4.15\"] .more')");
+    page.run("document.querySelector('[id=\"figure-4.15\"] .more').click()");
+    page.wait_for("its plants", "return document.documentElement.dataset.view === 'compare'");
+    let count = page.run("return document.querySelectorAll('#figure-list .picture').length");
+    let figure = clonal_mosaic::play::figures::find("4.15").unwrap();
+    assert_eq!(count, figure.pictures.len());
+    page.wait_for("one more", "return !!document.querySelector('.one-more')");
+}

@@ -95,37 +95,15 @@ fn what_is_taken_away_is_what_the_shell_writes_and_opens_again() {
     page.press(&[keys::ESCAPE]);
     page.choose("watermelon");
     page.wait("another plant", |s| s.plant == "watermelon");
-    page.run(&format!(
-        "const data = new DataTransfer();
-         data.items.add(new File([Uint8Array.from(atob('{}'), c => c.charCodeAt(0))], 'a.png'));
-         document.dispatchEvent(new DragEvent('drop', {{dataTransfer: data, bubbles: true, cancelable: true}}))",
-        base64(&png)
-    ));
+    page.drop("a.png", "image/png", &png);
     page.wait("the plant of the picture", |s| s.plant == "philodendron" && s.day == "1");
     assert_eq!(page.link(), LINK);
-    page.run(
-        "const data = new DataTransfer();
-         data.items.add(new File(['nothing of ours'], 'b.txt'));
-         document.dispatchEvent(new DragEvent('drop', {dataTransfer: data, bubbles: true, cancelable: true}))",
-    );
+    page.drop("b.txt", "text/plain", b"nothing of ours");
     page.wait_for(
         "a word",
         "return document.getElementById('messages').innerText.includes('b.txt')",
     );
     assert_eq!(page.complaints(), [""; 0]);
-}
-
-fn base64(bytes: &[u8]) -> String {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::new();
-    for three in bytes.chunks(3) {
-        let bits = (0..3).fold(0, |bits, k| bits << 8 | u32::from(*three.get(k).unwrap_or(&0)));
-        for k in 0..=three.len() {
-            text.push(LETTERS[(bits >> (18 - 6 * k) & 63) as usize] as char);
-        }
-        text.push_str(&"="[..usize::from(three.len() < 3)].repeat(3 - three.len()));
-    }
-    text
 }
 
 #[test]

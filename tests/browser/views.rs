@@ -70,7 +70,11 @@ pub fn views_agree(engine: impl Into<Engine>) {
 
     // In words, and back.
     assert!(page.link().ends_with("&show=field-arrows"), "{}", page.link());
-    assert!(page.text("live").ends_with(". Direction field: arrows"), "{}", page.text("live"));
+    assert!(
+        page.text("live").ends_with("Seen now: Direction field: arrows."),
+        "{}",
+        page.text("live")
+    );
     page.click("undo");
     page.click("undo");
     page.click("undo");

@@ -120,6 +120,12 @@ impl WebDriver {
         self.post("frame", json!({ "id": 0 }));
     }
 
+    /// Goes back to the page around the frames.
+    #[track_caller]
+    pub fn leave_frame(&self) {
+        self.post("frame", json!({ "id": Value::Null }));
+    }
+
     /// What the console has said since the last call, without mere remarks.
     pub fn complaints(&self) -> Vec<String> {
         self.console(&["SEVERE"])

@@ -1,10 +1,12 @@
 //! The command line as its user meets it.
 
 mod exports;
+mod fits;
 mod plants;
 mod shapes;
 mod sweeps;
 mod tiles;
+mod usdz;
 
 use serde_json::Value;
 use std::path::PathBuf;

@@ -40,6 +40,34 @@ fn a_changed_number_is_a_changed_plant() {
 }
 
 #[test]
+fn growth_that_is_the_same_everywhere_changes_nothing_and_other_growth_does() {
+    let text = succeed(&["plant", "mushroom"]);
+    let still = "\"growth\": []";
+    assert!(text.contains(still));
+    let grow = |growth: &str, mesh: &[&str]| {
+        let document =
+            file("growing.json", &text.replace(still, &format!("\"growth\": [{growth}]")));
+        let grow = [&["grow", "--plant", &document, "--day", "4", "--json"], mesh].concat();
+        json(&grow)["days"].clone()
+    };
+    let size =
+        |day: u32, factors: [f32; 3]| format!("{{\"day\": {day}, \"factors\": {factors:?}}}");
+    let even = [size(1, [0.25; 3]), size(2, [0.5; 3]), size(3, [2.0; 3])].join(", ");
+    let upwards = [size(0, [1.0; 3]), size(4, [1.0, 3.0, 1.0])].join(", ");
+    let mesh = file("growing.obj", TETRAHEDRON);
+    for mesh in [&[][..], &["--mesh", &mesh]] {
+        let still = grow("", mesh);
+        let fingerprint = |days: &Value, day: usize| days[day]["fingerprint"].clone();
+        let (even, upwards) = (grow(&even, mesh), grow(&upwards, mesh));
+        for day in 0..=4 {
+            assert_eq!(fingerprint(&even, day), fingerprint(&still, day), "day {day}");
+        }
+        assert_eq!(upwards[4]["cells"], still[4]["cells"]);
+        assert_ne!(fingerprint(&upwards, 4), fingerprint(&still, 4));
+    }
+}
+
+#[test]
 fn images_and_guides_of_a_document_lie_on_a_mesh_of_ones_own() {
     let mesh = file("plants.obj", TETRAHEDRON);
     let half = succeed(&["plant", "croton"])
@@ -70,6 +98,17 @@ fn what_is_no_plant_is_refused_in_one_line() {
         ),
         (text.replace("\"moss\"", "\"mould\""), "body.growths"),
         (text.replace("\"rims\"", "\"rimes\""), "paint[1].image.rule"),
+        (
+            text.replace(
+                "\"growth\": []",
+                "\"growth\": [{\"day\": 2, \"factors\": [1, 1, 1]}, {\"day\": 2, \"factors\": [2, 1, 1]}]",
+            ),
+            "motion: growth: day 2 stands after day 2",
+        ),
+        (
+            text.replace("\"growth\": []", "\"growth\": [{\"day\": 2, \"factors\": [1, 0, 1]}]"),
+            "motion: a factor of growth is 0: it must be from 0.01 to 100",
+        ),
         (text.replace("\"view\"", "\"vue\""), "vue"),
         ("{}".to_string(), "missing field"),
         (" [1, {}]".to_string(), "an object {...} is needed, not a list"),

@@ -46,6 +46,8 @@ fn pair() -> impl Strategy<Value = (&'static str, f64)> {
     (0..PARAMETERS.len(), -0.2..=1.2f64, any::<bool>()).prop_map(|(k, share, rounded)| {
         let parameter = &PARAMETERS[k];
         let [least, greatest] = parameter.range;
+        // Colours are written so that they cannot be out of their range.
+        let share = if parameter.is_colour { share.clamp(0.0, 1.0) } else { share };
         let value = least + share * (greatest - least);
         let steps = (value / parameter.step).round();
         (
@@ -55,12 +57,18 @@ fn pair() -> impl Strategy<Value = (&'static str, f64)> {
     })
 }
 
+/// A word and its value as links say them.
+fn said(word: &str, value: f64) -> String {
+    let parameter = PARAMETERS.iter().find(|p| p.key == word).unwrap();
+    format!("{word}={}", parameter.written(value))
+}
+
 /// Pieces of links and of what is none.
 fn piece() -> impl Strategy<Value = String> {
     prop_oneof![
         "[a-z]{0,3}=[-+0-9.e,]{0,8}",
         ".{0,12}",
-        pair().prop_map(|(word, value)| format!("{word}={value}")),
+        pair().prop_map(|(word, value)| said(word, value)),
         Just("view=1,2,3".to_string()),
         Just("%F0%9".to_string()),
         Just("show=field".to_string()),
@@ -134,7 +142,7 @@ proptest! {
         words.sort_by_key(|(word, _)| *word);
         words.dedup_by_key(|(word, _)| *word);
         let read = |words: &[(&str, f64)]| {
-            let text: String = words.iter().map(|(word, value)| format!("&{word}={value}")).collect();
+            let text: String = words.iter().map(|&(word, value)| format!("&{}", said(word, value))).collect();
             let mut opened = link::read(&format!("red-croton?v=1{text}"), plants::all());
             opened.left_out.sort();
             (link::write(&opened.scene), format!("{:?}", opened.scene.recipe), opened.left_out)

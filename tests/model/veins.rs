@@ -1,7 +1,9 @@
 //! Veins that steer cells: first types and days between divisions by the distance from them.
 
 use crate::without_relaxation;
-use clonal_mosaic::surface::{AlongVeins, Body, ControlImage, Mesh, PolygonMesh, Wrap};
+use clonal_mosaic::surface::{
+    AlongVeins, Body, ControlImage, DirectionField, Mesh, PolygonMesh, Wrap, icosphere,
+};
 use clonal_mosaic::tissue::CellType::Foreground;
 use clonal_mosaic::tissue::{Clock, Control, Growth, Progress, Recipe, Scaled, Use};
 use glam::Vec3;
@@ -116,4 +118,30 @@ fn cells_divide_sooner_near_veins_where_an_image_says_so() {
         let mean = (8.0_f64 / division_days).exp();
         assert!((grown / mean - 1.0).abs() < 5.0 / 1_700_f64.sqrt(), "{grown} for {mean}");
     }
+}
+
+#[test]
+fn a_field_goes_along_the_nearest_vein() {
+    let mesh = square_with_veins();
+    for order in [1, 2] {
+        let field = DirectionField::along_veins(&mesh, order).unwrap();
+        let mut along_the_bend = 0;
+        for triangle in 0..mesh.triangles.len() as u32 {
+            let [x, y] = mesh.axes(triangle);
+            let direction = x * field.at(triangle).x + y * field.at(triangle).y;
+            let centre = mesh.centroid(triangle);
+            if order == 1 || distance_cm(centre, 1) < distance_cm(centre, 2) + 1e-6 {
+                assert!(direction.distance(Vec3::X) < 1e-5, "{direction} at {centre}");
+            } else {
+                // Up to the corner at x = 3, and down from there; next to it, one of the two.
+                let ways = [Vec3::new(2.0, 1.5, 0.0), Vec3::new(3.0, -1.0, 0.0)];
+                let off = ways.map(|way| direction.distance(way.normalize()));
+                let nearer = if centre.x < 2.5 { off[0] } else { off[0].min(off[1]) };
+                assert!(nearer < 1e-5, "{direction} at {centre}");
+                along_the_bend += 1;
+            }
+        }
+        assert!(order == 1 || along_the_bend > 10, "{along_the_bend} triangles");
+    }
+    assert_eq!(DirectionField::along_veins(&icosphere(1, 1.0), 3), None);
 }

@@ -3,6 +3,7 @@
 mod bench;
 mod export;
 mod figures;
+mod fit;
 mod grow;
 mod individuals;
 mod many;
@@ -51,6 +52,7 @@ fn run() -> Result<(), Refusal> {
         Command::Grow(options) => grow::grow(&options),
         Command::Figures(options) => figures::figures(&options),
         Command::Sweep(options) => sweep::sweep(&options),
+        Command::Fit(options) => fit::fit(&options),
         Command::Shape(options) => shape::shape(&options),
         Command::Export(options) => export::export(&options),
         Command::Plant(options) => say(&(subject::plant(&options.name)?.to_json() + "\n")),

@@ -1,6 +1,7 @@
 //! What the command line says.
 
 mod export;
+mod fit;
 
 use super::Refusal;
 use super::shape::ShapeOptions;
@@ -9,6 +10,7 @@ use clap::{ArgAction, Args, Parser, Subcommand};
 use clonal_mosaic::plants;
 use clonal_mosaic::surface::quoted;
 pub use export::ExportOptions;
+pub use fit::FitOptions;
 use std::error::Error;
 use std::path::PathBuf;
 
@@ -46,6 +48,12 @@ pub enum Command {
     /// them, and their means as `mosaic figures` has them, each with the link that shows it.
     #[command(verbatim_doc_comment)]
     Sweep(SweepOptions),
+    /// Numbers of a plant's recipe with which it becomes what is wanted
+    ///
+    /// Numbers of a plant's recipe with which it becomes what is wanted, found by trying: each try that is
+    /// better than all before is printed with its link. Ctrl-C ends it.
+    #[command(verbatim_doc_comment)]
+    Fit(FitOptions),
     /// A plant as a document: JSON with all that makes it, for mosaic grow --plant
     Plant(PlantNameOptions),
     /// The plant of a day in a file, for other programs
@@ -287,7 +295,7 @@ fn refusal(error: &clap::Error) -> Refusal {
                 return "say which: mosaic shape leaf, flower or tree, or mosaic shape --help"
                     .into();
             }
-            "say what to do: mosaic grow, figures, sweep, export, shape, plant or bench, or mosaic --help".into()
+            "say what to do: mosaic grow, figures, sweep, fit, export, shape, plant or bench, or mosaic --help".into()
         }
         ErrorKind::InvalidSubcommand => {
             format!(

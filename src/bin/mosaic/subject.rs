@@ -5,7 +5,7 @@ use super::options::{FIRST_PLANT, GrowOptions, Source};
 use super::output::cannot;
 use clonal_mosaic::plants::{self, Plant};
 use clonal_mosaic::play::{FIRST_INDIVIDUAL, Scene, link};
-use clonal_mosaic::surface::{Brought, Mesh, quoted};
+use clonal_mosaic::surface::{Body, Brought, Mesh, quoted};
 use clonal_mosaic::tissue::{Growth, Noise, Recipe};
 use glam::DVec3;
 use std::fs;
@@ -73,7 +73,14 @@ pub fn load(options: &GrowOptions) -> Result<Subject, Refusal> {
     recipe.days = day;
     let (mesh, reading) = match (&options.mesh, plant) {
         (None, Some(plant)) => (plant.embedded_body().surface, None),
-        (Some(path), _) => read_mesh(path)?,
+        (Some(path), _) => {
+            let (body, reading) = read_mesh(path)?;
+            let grown = match plant.filter(|_| is_document) {
+                Some(plant) => plant.growing(body),
+                None => body,
+            };
+            (grown.surface, Some(reading))
+        }
         (None, None) => unreachable!("a recipe without a mesh has the first plant's body"),
     };
     let individual = options.individual.unwrap_or(individual);
@@ -173,11 +180,11 @@ pub fn plant(name: &str) -> Result<&'static Plant, Refusal> {
     })
 }
 
-fn read_mesh(path: &Path) -> Result<(Mesh, Option<Reading>), Refusal> {
+fn read_mesh(path: &Path) -> Result<(Body, Reading), Refusal> {
     let bytes = fs::read(path).map_err(|e| cannot("read", path, &e))?;
-    let Brought { body, origin, joined_edges, left_out_triangles } =
+    let Brought { body, origin, joined_edges, left_out_triangles, .. } =
         Brought::read(&bytes).map_err(|e| of_file(path, &e))?;
-    Ok((body.surface, Some(Reading { joined_edges, left_out_triangles, origin })))
+    Ok((body, Reading { joined_edges, left_out_triangles, origin }))
 }
 
 fn read(path: &Path) -> Result<String, Refusal> {

@@ -98,8 +98,9 @@ impl Varied {
     /// Reads `df=4..12:5` or `df=4,6,12`.
     fn read(text: &str) -> Result<Varied, Refusal> {
         let (key, values) = text.split_once('=').ok_or("it says no values, as df=4..12:5 does")?;
-        let parameter = Parameter::of_key(key).ok_or_else(|| {
-            let known: Vec<&str> = PARAMETERS.iter().map(|p| p.key).collect();
+        let parameter = Parameter::of_key(key).filter(|p| !p.is_colour).ok_or_else(|| {
+            let numbers = PARAMETERS.iter().filter(|p| !p.is_colour);
+            let known: Vec<&str> = numbers.map(|p| p.key).collect();
             format!("there is no number {}: there are {}", quoted(key), known.join(", "))
         })?;
         let values = match values.split_once("..") {

@@ -1,7 +1,7 @@
 //! What the page draws: frame by frame, and for the printer.
 
 use super::super::backend;
-use super::super::dom::{find, set_flag, set_text};
+use super::super::dom::{find, set_attribute, set_flag, set_text};
 use super::super::gallery::Gallery;
 use super::super::stage::Drawn;
 use super::super::surroundings::is_dark;
@@ -9,8 +9,8 @@ use super::App;
 use crate::draw::DrawError;
 use crate::play::canvases::Loss;
 use crate::play::gallery;
-use crate::play::page::Event;
-use crate::play::words;
+use crate::play::page::{Event, State};
+use crate::play::{link, words};
 use glam::Vec2;
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::spawn_local;
@@ -46,7 +46,25 @@ impl App {
             self.frames.ask();
         } else {
             self.frames.rest();
+            self.tell_host();
         }
+    }
+
+    /// Tells the page around this one what has come to rest here.
+    fn tell_host(&mut self) {
+        let (Some(host), state) = (&mut self.host, self.page.state()) else { return };
+        if !matches!(state, State::Ready | State::Error) {
+            return;
+        }
+        let day = self.page.drawn().and_then(|drawn| drawn.day.as_ref());
+        host.tell(format!(
+            r#""link":"{}","day":{},"cells":{},"fingerprint":"{}","state":"{}""#,
+            self.page.link(),
+            day.map_or(self.page.scene().day, |day| day.day),
+            day.map_or(0, |day| day.facts.count.cells),
+            day.map_or("", |day| &day.facts.fingerprint),
+            state.word()
+        ));
     }
 
     fn frame_of_figures(&mut self) {
@@ -96,7 +114,10 @@ impl App {
             &find::<Element>("printed-numbers"),
             &format!("{}: {numbers}", self.page.source()),
         );
-        set_text(&find::<Element>("printed-link"), address);
+        let printed: Element = find("printed-link");
+        set_text(&printed, address);
+        let before = self.page.history().before_last_change().map(link::write);
+        set_attribute(&printed, "data-before", before.unwrap_or_default());
         if self.gallery.is_some() {
             return;
         }

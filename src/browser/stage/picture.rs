@@ -128,7 +128,7 @@ impl<'a> Picture<'a> {
 
 impl OnStage {
     pub(super) fn of(plant: &Plant, mesh: &str) -> Result<OnStage, BodyError> {
-        let body = plant.body.grow(mesh)?;
+        let body = plant.grow_body(mesh)?;
         let (geometry, sphere) = (Geometry::new(&body), Sphere::around(&body));
         Ok(OnStage { body, standing: None, geometry, sphere })
     }

@@ -1,6 +1,7 @@
 //! The charts of the growth, beside the plant, on the page's own clock.
 
 use super::files::save;
+use super::wish::NUMBERS;
 use super::work::{Said, Work};
 use super::{subject, with};
 use crate::browser::address::fragment;
@@ -10,7 +11,7 @@ use crate::browser::dom::{
 use crate::export::{Chart, DayNumbers, sizes_of_clans, the_course};
 use crate::plants;
 use crate::play::{Scene, link};
-use js_sys::Uint8Array;
+use js_sys::{Float64Array, Uint8Array};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::spawn_local;
 use web_sys::{
@@ -119,10 +120,9 @@ impl ChartView {
             return;
         }
         let hear = |said| with(|studio| studio.charts.hear(said));
-        let started =
-            mesh.map_err(|why| format!("The plant's body did not come: {why}.")).and_then(|mesh| {
-                Work::start([super::worker::NUMBERS, &link::write(scene), &mesh, ""], hear)
-            });
+        let started = mesh
+            .map_err(|why| format!("The plant's body did not come: {why}."))
+            .and_then(|mesh| Work::start([NUMBERS, &link::write(scene), &mesh], "", hear));
         match started {
             Ok(work) => self.work = Some(work),
             Err(why) => self.say(&why),
@@ -136,12 +136,12 @@ impl ChartView {
                 self.work = None;
                 self.say(&why);
             }
-            Said::Done(answer) => match answer.get(0).as_string() {
-                Some(json) => {
-                    self.days.extend(serde_json::from_str::<DayNumbers>(&json));
+            Said::Done(answer) => match answer.get(0).dyn_into::<Float64Array>() {
+                Ok(row) => {
+                    self.days.extend(DayNumbers::of_row(&row.to_vec()));
                     self.show();
                 }
-                None => {
+                Err(_) => {
                     self.work = None;
                     self.say("");
                     self.show();

@@ -3,6 +3,7 @@
 
 use super::subject::{self, link_of};
 use super::{leaflet, picture, presenter, pupils, simple, with};
+use crate::browser::address::UI;
 use crate::browser::dom::{Listener, document, find, on, set_flag, set_text, window, within};
 use crate::plants;
 use crate::play::classroom::{Class, PARTS, SIMPLE, changed};
@@ -10,7 +11,9 @@ use crate::play::link;
 use crate::play::parameters::PARAMETERS;
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{Element, Event, HtmlDialogElement, HtmlInputElement, HtmlTextAreaElement};
+use web_sys::{
+    Element, Event, HtmlDialogElement, HtmlInputElement, HtmlSelectElement, HtmlTextAreaElement,
+};
 
 pub struct ClassDialog {
     dialog: HtmlDialogElement,
@@ -107,9 +110,14 @@ impl ClassDialog {
         let for_students = with_class(&self.address, &class);
         let for_teacher = with_class(&self.address, &Class { answers: true, ..class.clone() });
         let scene = link::read(link_of(&self.address), plants::all()).scene;
+        let framed = match &*within::<HtmlSelectElement>(&self.dialog, ".ui").value() {
+            "full" => for_students.clone(),
+            // There are no parts then that could be left out, and no numbers that could be hidden.
+            ui => format!("{}{UI}{ui}", self.address),
+        };
         let embed = format!(
-            "<iframe src=\"{}\" title=\"{}\" width=\"800\" height=\"600\" allow=\"fullscreen; clipboard-write\"></iframe>",
-            for_students.replace('&', "&amp;"),
+            "<iframe src=\"{}\" title=\"{}\" width=\"800\" height=\"600\" loading=\"lazy\" allow=\"fullscreen; clipboard-write\"></iframe>",
+            framed.replace('&', "&amp;"),
             scene.plant.name
         );
         for (part, text) in

@@ -1,10 +1,13 @@
 //! Files from and to the visitor's machine.
 
-use super::subject;
+use super::subject::{self, link_of};
+use super::wish::OPEN;
+use super::with;
+use super::work::{Said, Work};
+use super::{bring_in, own};
 use crate::browser::dom::{document, find, on, set_flag, window};
-use crate::import::link_of_file;
 use js_sys::{Array, Uint8Array};
-use wasm_bindgen::JsCast;
+use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Blob, BlobPropertyBag, DragEvent, Element, File, HtmlAnchorElement, Url};
 
@@ -41,6 +44,9 @@ pub fn take_what_is_dropped() {
     std::mem::forget(listener);
 }
 
+/// Endings of files that are taken for bodies: what of them cannot be read is told by the name of its format.
+const BODIES: [&str; 8] = ["obj", "ply", "glb", "gltf", "stl", "fbx", "blend", "off"];
+
 /// Shows the plant of a file on the page, or says why not.
 pub fn open(file: File) {
     spawn_local(async move {
@@ -48,12 +54,32 @@ pub fn open(file: File) {
         let Ok(buffer) = JsFuture::from(file.array_buffer()).await else {
             return tell(&format!("{name} cannot be read."));
         };
-        let bytes = Uint8Array::new(&buffer).to_vec();
-        match link_of_file(&bytes, &subject::scene()) {
-            Ok(link) => subject::show(&link),
-            Err(why) => tell(&format!("{name}: {why}")),
-        }
+        let bytes = Uint8Array::new(&buffer);
+        let wish = bytes.clone();
+        let hear = move |said: Said| match said {
+            Said::Day(_) => {}
+            Said::Refused(why) => {
+                let end = name.rsplit_once('.').map_or("", |(_, end)| end).to_ascii_lowercase();
+                let is_picture = file.type_().starts_with("image/") && end != "svg";
+                match () {
+                    // A picture of anything else.
+                    () if is_picture => bring_in::look(file.clone()),
+                    () if end == "json" || BODIES.contains(&&*end) => own::make(&name, &bytes),
+                    () => tell(&format!("{name}: {why}")),
+                }
+            }
+            Said::Done(answer) => subject::show(&answer.get(0).as_string().unwrap_or_default()),
+        };
+        begin([OPEN, link_of(&subject::address()), &subject::own()], wish, hear);
     });
+}
+
+/// Has the workshop read what was brought, in the place of what it still may read.
+pub fn begin(wish: [&str; 3], more: impl Into<JsValue>, hear: impl Fn(Said) + Clone + 'static) {
+    match Work::start(wish, more, hear) {
+        Ok(work) => with(|studio| studio.opening = Some(work)),
+        Err(why) => tell(&why),
+    }
 }
 
 /// Says it among the messages of the page, until it is dismissed.

@@ -34,16 +34,14 @@ pub fn print(link: &str, address: &str, hidden: &[&str]) {
     let mut rows = String::new();
     for number in PARAMETERS.iter().filter(|number| number.is_for(plant)) {
         let (value, own) = (number.get(&scene), number.preset(plant));
-        let said = |value: f64| match number.names.get(value as usize) {
-            Some(name) => (*name).to_string(),
-            None => number.said(value),
-        };
         let value = match hidden.contains(&number.key) {
             true => "<span class=blank>?</span>".to_string(),
-            false if value != own => format!("<b>{}</b> (else {})", said(value), said(own)),
-            false => said(value),
+            false if value != own => {
+                format!("<b>{}</b> (else {})", number.said(value), number.said(own))
+            }
+            false => number.said(value),
         };
-        let [least, greatest] = number.range;
+        let [least, greatest] = number.range.map(|end| number.written(end));
         let _ = write!(
             rows,
             "<tr><th scope=row>{}</th><td>{}</td><td>{value}</td><td><code>{}</code></td><td>{least} to {greatest}</td></tr>",

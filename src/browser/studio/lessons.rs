@@ -4,9 +4,10 @@
 mod grow;
 mod list;
 mod show;
+mod sketch;
 
 use super::files::save;
-use super::{picture, subject, with};
+use super::{picture, presenter, subject, tour, with};
 use crate::browser::address::fragment;
 use crate::browser::dom::{
     Listener, document, find, on, set_attribute, set_flag, set_text, window, within,
@@ -20,7 +21,7 @@ use std::rc::Rc;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{Element, Event, HtmlElement, HtmlInputElement};
+use web_sys::{Element, Event, HtmlElement, HtmlInputElement, PointerEvent};
 
 /// The name of the lesson that was opened from a file, in the place of that of one of ours.
 const FROM_A_FILE: &str = "file";
@@ -63,11 +64,23 @@ impl LessonView {
             event.prevent_default();
             with(|studio| studio.lessons.commit());
         }));
-        listeners.push(on(&form, "input", |_: Event| with(|studio| studio.lessons.considered())));
+        listeners.push(on(&form, "input", |event: Event| {
+            if let Some(input) = event.target().and_then(|t| t.dyn_into::<Element>().ok()) {
+                set_flag(&input, "data-touched", true);
+            }
+            with(|studio| studio.lessons.considered());
+        }));
+        for kind in ["pointerdown", "pointermove"] {
+            listeners.push(on(&form, kind, |event: PointerEvent| sketch::draw(&event)));
+        }
         listeners.push(on(&view, "click", |event: Event| {
             let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
             let door = target.and_then(|t| t.closest("[data-take], [data-lesson-name]").ok()?);
             let Some(door) = door else { return };
+            if door.get_attribute("data-take").as_deref() == Some("tour") {
+                subject::want("");
+                return presenter::after(0, tour::open);
+            }
             with(|studio| match door.get_attribute("data-take") {
                 Some(wanted) => studio.lessons.take(&wanted),
                 None => {
@@ -211,8 +224,8 @@ impl LessonView {
             let bar: HtmlInputElement = self.part(".bar input");
             set_text(&output, &format!("{} in 100", bar.value()));
             set_attribute(&bar, "aria-valuetext", format!("{} in 100", bar.value()));
-            set_flag(&bar, "data-touched", true);
         }
+        sketch::trace(&self.part(".ways"));
     }
 
     /// Hands over what a button is for.

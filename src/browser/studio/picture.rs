@@ -1,22 +1,18 @@
-//! The picture that the page would print, as a PNG with its link inside, and the link as a QR code.
+//! The picture that the page would print, and links as QR codes.
 
 use crate::browser::dom::{find, set_attribute, set_flag};
-use crate::export::write_picture;
 use qrcodegen::{QrCode, QrCodeEcc};
 use std::fmt::Write;
 use wasm_bindgen::JsCast;
-use web_sys::{CanvasRenderingContext2d, Element, HtmlCanvasElement};
+use web_sys::{CanvasRenderingContext2d, Element, HtmlCanvasElement, ImageData};
 
-/// The PNG of what the page has put there to be printed; None where nothing could be drawn.
-pub fn png(link: &str) -> Option<Vec<u8>> {
+/// The pixels of what the page has put there to be printed; None where nothing could be drawn.
+pub fn pixels() -> Option<ImageData> {
     let canvas: HtmlCanvasElement = find("printed");
     let pen: CanvasRenderingContext2d = canvas.get_context("2d").ok()??.unchecked_into();
     let (width, height) = (canvas.width(), canvas.height());
-    let pixels = pen.get_image_data(0.0, 0.0, width.into(), height.into()).ok()?.data();
-    if pixels.iter().all(|&part| part == 0) {
-        return None;
-    }
-    write_picture([width, height], &pixels, link).ok()
+    let pixels = pen.get_image_data(0.0, 0.0, width.into(), height.into()).ok()?;
+    pixels.data().iter().any(|&part| part != 0).then_some(pixels)
 }
 
 /// The QR code of a text as the content of an SVG: its `viewBox`, and a path of dark squares. None where it is too

@@ -3,8 +3,8 @@
 
 use super::charts::table_of;
 use super::files::save;
-use super::{subject, with};
-use crate::browser::dom::{Listener, document, find, offer, on, set_text, window, within};
+use super::{pictures, subject, with};
+use crate::browser::dom::{Listener, document, find, offer, on, set_text, within};
 use crate::export::{Chart, Grown, nursery, steps};
 use crate::plants;
 use crate::play::parameters::{PARAMETERS, Parameter};
@@ -49,7 +49,7 @@ impl Series {
         set_text(&within(&self.dialog, ".subject"), &told);
         let number: HtmlSelectElement = within(&self.dialog, ".number");
         number.set_text_content(None);
-        for parameter in PARAMETERS.iter().filter(|p| p.is_for(plant) && p.names.is_empty()) {
+        for parameter in PARAMETERS.iter().filter(|p| p.is_for(plant) && p.is_number()) {
             offer(&number, parameter.key, &parameter.label(plant));
         }
         self.say("");
@@ -88,7 +88,7 @@ impl Series {
         match asked {
             Ok(asked) => {
                 self.dialog.close();
-                let _ = window().location().set_hash(&format!("{view}/{asked}"));
+                subject::go_to(&format!("{view}/{asked}"));
             }
             Err(why) => self.say(&why),
         }
@@ -143,6 +143,10 @@ impl Series {
                     return Err("This plant is its preset: change a number first.".to_string());
                 }
             }
+            "before" => {
+                let before = subject::before();
+                other = before.ok_or("Nothing was changed yet: change a number first.")?;
+            }
             "individual" => other.individual = scene.individual.wrapping_add(1),
             "noise" => other.noise = !scene.noise,
             _ => {
@@ -170,9 +174,13 @@ impl Series {
     /// Tells what the pictures of a nursery or of steps come to.
     pub fn sum_up(&mut self) {
         let root = document().document_element().expect("a document has a root");
-        let sum = match root.get_attribute("data-view").as_deref() {
-            Some("nursery") => nursery,
-            Some("steps") => steps,
+        let view = root.get_attribute("data-view").unwrap_or_default();
+        if ["nursery", "steps", "compare"].contains(&&*view) {
+            pictures::dress(&view);
+        }
+        let sum = match &*view {
+            "nursery" => nursery,
+            "steps" => steps,
             _ => return,
         };
         let list: Element = find("figure-list");
@@ -225,7 +233,7 @@ fn individuals(scene: &Scene, count: u32) -> String {
 }
 
 /// A value as it would be typed: in whole numbers where no others are, else with four decimals at most.
-fn rounded(parameter: &Parameter, value: f64) -> f64 {
+pub fn rounded(parameter: &Parameter, value: f64) -> f64 {
     if parameter.is_whole() { value.round() } else { (value * 1e4).round() / 1e4 }
 }
 

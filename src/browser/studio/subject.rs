@@ -4,7 +4,6 @@ use crate::browser::address::{fragment, wanted};
 use crate::browser::dom::{document, find, window};
 use crate::browser::files;
 use crate::plants;
-use crate::play::protocol::BUILD;
 use crate::play::{Scene, link};
 use wasm_bindgen::prelude::*;
 use web_sys::{Element, Event, MutationObserver, MutationObserverInit};
@@ -28,6 +27,17 @@ pub fn scene() -> Scene {
     link::read(link_of(&address()), plants::all()).scene
 }
 
+/// What the page showed before its last change of more than day and view, as it would be seen now.
+pub fn before() -> Option<Scene> {
+    let now = scene();
+    let link = find::<Element>("printed-link").get_attribute("data-before");
+    let before = link::read(&link.filter(|link| !link.is_empty())?, plants::all()).scene;
+    Some(match before.plant.key == now.plant.key {
+        true => Scene { day: now.day.min(before.recipe.days), orbit: now.orbit, ..before },
+        false => before,
+    })
+}
+
 /// Shows a scene on the page, by its link; what the studio does with it goes on.
 pub fn show(link: &str) {
     let _ = window().location().set_hash(&format!("{link}{}", wanted()));
@@ -46,6 +56,11 @@ pub fn go(link: &str, what: &str) {
     let _ = window().location().set_hash(&format!("{link}~{what}"));
 }
 
+/// Shows several plants, by the fragment of their address.
+pub fn go_to(fragment: &str) {
+    let _ = window().location().set_hash(fragment);
+}
+
 /// The fingerprint of the day on the screen.
 pub fn fingerprint() -> String {
     let root = document().document_element();
@@ -54,9 +69,12 @@ pub fn fingerprint() -> String {
 
 /// The text of a plant's mesh, as the page has it at hand.
 pub async fn mesh_of(scene: &Scene) -> Result<String, String> {
-    let name = scene.plant.body.mesh.name;
-    let path = format!("meshes/{}?build={BUILD}", name.replace(".obj", ".txt"));
-    files::read_text(&files::address(&path)).await
+    files::read_mesh(scene.plant.body.mesh.name).await
+}
+
+/// The text of the plant that the page shows, if it is one of the visitor's own; else none.
+pub fn own() -> String {
+    files::held(&format!("meshes/{}.txt", scene().plant.key)).unwrap_or_default()
 }
 
 /// The address of a link.

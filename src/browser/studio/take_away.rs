@@ -1,20 +1,18 @@
 //! The dialog in which a plant is taken away.
 
-use super::files::{open, save};
+use super::files::save;
 use super::subject::{self, address, link_of};
+use super::wish::{DOCUMENT, PICTURE};
 use super::work::{Said, Work};
 use super::{picture, with};
 use crate::browser::dom::{Listener, find, on, set_attribute, set_flag, set_text, window, within};
-use crate::export::{Kind, write_zip};
-use crate::plants::{self, Plant};
+use crate::export::Kind;
+use crate::plants;
 use crate::play::{Scene, link, words};
-use js_sys::{Array, Uint8Array};
+use js_sys::Uint8Array;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{
-    Element, Event, HtmlDialogElement, HtmlElement, HtmlInputElement, HtmlTextAreaElement,
-    ShareData,
-};
+use web_sys::{Element, Event, HtmlDialogElement, HtmlElement, HtmlTextAreaElement, ShareData};
 
 pub struct TakeAway {
     dialog: HtmlDialogElement,
@@ -24,10 +22,10 @@ pub struct TakeAway {
     _listeners: Vec<Listener>,
 }
 
-/// What is being made: a kind of file, and the name of the file without its end.
+/// What is being made: its file, and what it is called while it is made.
 struct Making {
-    kind: Kind,
-    name: String,
+    file: String,
+    what: &'static str,
     last_day: u32,
 }
 
@@ -47,16 +45,6 @@ impl TakeAway {
         let shares = js_sys::Reflect::has(&window().navigator(), &"share".into()).unwrap_or(false);
         set_flag(&share, "hidden", !shares);
         listeners.push(on(&share, "click", |_: Event| spawn_local(share_link())));
-        let input: HtmlInputElement = within(&dialog, ".open");
-        let chosen = input.clone();
-        listeners.push(on(&input, "change", move |_: Event| {
-            if let Some(file) = chosen.files().and_then(|files| files.get(0)) {
-                // The same file may be chosen again.
-                open(file);
-                chosen.set_value("");
-                with(|studio| studio.take_away.dialog.close());
-            }
-        }));
         listeners.push(on(&dialog, "close", |_: Event| with(|studio| studio.take_away.stop(""))));
         TakeAway { dialog, making: None, work: None, _listeners: listeners }
     }
@@ -97,31 +85,32 @@ impl TakeAway {
     /// Makes what was wanted, and hands it to the visitor.
     fn take(&mut self, wanted: &str) {
         let address = address();
+        let link = link_of(&address).to_string();
         let scene = scene_of(&address);
         let name = format!("{}-{}-day-{}", scene.plant.key, scene.individual, scene.day);
         match Kind::of_word(wanted) {
             Some(kind) => {
-                self.begin(Making { kind, name: name.clone(), last_day: scene.day });
-                let link = link_of(&address).to_string();
+                let end = if kind == Kind::Obj { "zip" } else { kind.extension() };
+                let file = format!("{name}.{end}");
+                self.begin(Making { file: file.clone(), what: kind.word(), last_day: scene.day });
                 spawn_local(async move {
                     let mesh = subject::mesh_of(&scene).await;
-                    with(|studio| studio.take_away.start(&link, mesh));
+                    with(|studio| studio.take_away.grow(&file, kind, &link, mesh, &name));
                 });
             }
-            None if wanted == "picture" => match picture::png(link_of(&address)) {
-                Some(bytes) => {
-                    self.hand_over(&format!("{name}.png"), &Uint8Array::from(&bytes[..]))
-                }
-                None => {
-                    self.say("Nothing is drawn on this machine, so there is no picture to take.")
-                }
-            },
+            None if wanted == PICTURE => {
+                let Some(pixels) = picture::pixels() else {
+                    return self
+                        .say("Nothing is drawn on this machine, so there is no picture to take.");
+                };
+                let file = format!("{name}.png");
+                self.begin(Making { file, what: "the picture", last_day: 0 });
+                self.start([PICTURE, &link, ""], pixels);
+            }
             None => {
-                let document = of_its_own_numbers(&scene).to_json();
-                self.hand_over(
-                    &format!("{name}.mosaic.json"),
-                    &Uint8Array::from(document.as_bytes()),
-                );
+                let file = format!("{name}.mosaic.json");
+                self.begin(Making { file, what: "the document", last_day: 0 });
+                self.start([DOCUMENT, &link, &subject::own()], "");
             }
         }
     }
@@ -129,20 +118,32 @@ impl TakeAway {
     /// Says that something is being made.
     fn begin(&mut self, making: Making) {
         self.stop("");
-        self.say(&format!("Growing the plant for {} …", making.kind.word()));
+        let doing = if making.last_day == 0 { "Writing" } else { "Growing the plant for" };
+        self.say(&format!("{doing} {} …", making.what));
         self.show_progress(Some((0, making.last_day)));
         self.making = Some(making);
     }
 
-    fn start(&mut self, link: &str, mesh: Result<String, String>) {
-        let Some(making) = &self.making else { return };
-        let mesh = match mesh {
-            Ok(mesh) => mesh,
-            Err(why) => return self.stop(&format!("The plant's body did not come: {why}.")),
-        };
-        let materials = format!("{}.mtl", making.name);
-        let hear = |said| with(|studio| studio.take_away.hear(said));
-        match Work::start([making.kind.word(), link, &mesh, &materials], hear) {
+    /// Has a kind of file made of a mesh that has come, unless the visitor wants something else by now.
+    fn grow(
+        &mut self,
+        file: &str,
+        kind: Kind,
+        link: &str,
+        mesh: Result<String, String>,
+        name: &str,
+    ) {
+        if self.making.as_ref().is_none_or(|making| making.file != file) {
+            return;
+        }
+        match mesh {
+            Ok(mesh) => self.start([kind.word(), link, &mesh], name),
+            Err(why) => self.stop(&format!("The plant's body did not come: {why}.")),
+        }
+    }
+
+    fn start(&mut self, wish: [&str; 3], more: impl Into<JsValue>) {
+        match Work::start(wish, more, |said| with(|studio| studio.take_away.hear(said))) {
             Ok(work) => self.work = Some(work),
             Err(why) => self.stop(&why),
         }
@@ -163,22 +164,9 @@ impl TakeAway {
             }
             Said::Refused(why) => self.stop(&why),
             Said::Done(answer) => {
-                let Making { kind, name, .. } = making;
-                let (file, bytes) = match (kind, answer.length()) {
-                    (Kind::Obj, 3) => {
-                        let [obj, mtl] = [1, 2].map(|k| bytes(&answer, k).to_vec());
-                        let names = [format!("{name}.obj"), format!("{name}.mtl")];
-                        let files = [(&*names[0], &obj[..]), (&*names[1], &mtl[..])];
-                        let mut zip = Vec::new();
-                        if let Err(why) = write_zip(&files, &mut zip) {
-                            return self.stop(&why.to_string());
-                        }
-                        (format!("{name}.zip"), Uint8Array::from(&zip[..]))
-                    }
-                    _ => (format!("{name}.{}", kind.extension()), bytes(&answer, 1)),
-                };
+                let file = making.file.clone();
                 self.stop("");
-                self.hand_over(&file, &bytes);
+                self.hand_over(&file, &answer.get(1).unchecked_into());
             }
         }
     }
@@ -219,17 +207,8 @@ impl TakeAway {
     }
 }
 
-fn bytes(answer: &Array, k: u32) -> Uint8Array {
-    answer.get(k).unchecked_into()
-}
-
 fn scene_of(address: &str) -> Scene {
     link::read(link_of(address), plants::all()).scene
-}
-
-/// The plant with the numbers and the colours of the scene.
-fn of_its_own_numbers(scene: &Scene) -> Plant {
-    Plant { recipe: scene.recipe.clone(), look: scene.look.clone(), ..scene.plant.clone() }
 }
 
 /// Shows the system's own sheet to share a link.

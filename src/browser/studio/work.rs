@@ -1,4 +1,4 @@
-//! A worker of the studio at its one piece of work; dropping it ends it.
+//! The workshop at its one piece of work; dropping it ends it.
 
 use crate::browser::dom::{Listener, on};
 use crate::browser::files;
@@ -17,17 +17,21 @@ pub enum Said {
     Day(u32),
     /// In plain words, why it cannot be.
     Refused(String),
-    /// What was wanted: a text, and files. For days in numbers without a text at the end.
+    /// What was wanted, or a part of it: see `wish`.
     Done(Array),
 }
 
 impl Work {
-    /// Starts a worker and tells it its wish: see `worker::start_worker`.
-    pub fn start(wish: [&str; 4], hear: impl Fn(Said) + Clone + 'static) -> Result<Work, String> {
-        let worker = files::start_worker("studio").ok_or_else(|| {
+    /// Starts the workshop and tells it its wish: see `wish`.
+    pub fn start(
+        [word, link, mesh]: [&str; 3],
+        more: impl Into<JsValue>,
+        hear: impl Fn(Said) + Clone + 'static,
+    ) -> Result<Work, String> {
+        let worker = files::start_worker("workshop").ok_or_else(|| {
             "This browser starts no worker, so nothing can be made here.".to_string()
         })?;
-        let wish: Array = wish.iter().map(|word| JsValue::from_str(word)).collect();
+        let wish = Array::of4(&word.into(), &link.into(), &mesh.into(), &more.into());
         let (listens, hear_end) = (worker.clone(), hear.clone());
         let listeners = [
             on(&worker, "message", move |message: MessageEvent| {

@@ -20,15 +20,7 @@ impl Plant {
         }
         of("guides", self.guides.map_or(Ok(()), |guides| guides.check()))?;
         of("recipe", self.recipe.check().map_err(|e| e.to_string()))?;
-        of(
-            "motion",
-            match self.motion.unfolding_days.iter().max() {
-                Some(day) if *day > 1000 => {
-                    Err(format!("a part unfolds on day {day}: at most 1000"))
-                }
-                _ => Ok(()),
-            },
-        )?;
+        of("motion", self.motion.check())?;
         of("look", self.look.check())?;
         of("view", self.view.check())?;
         of(

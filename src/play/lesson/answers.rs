@@ -8,14 +8,16 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// A prediction.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Said {
     Choice(usize),
     /// A bar's or a typed number.
     Number(f64),
+    /// In 100, for each day of a sketch.
+    Curve(Vec<f64>),
 }
 
-/// What came out of a step's growth: a value for each individual, and what is to be expected of one.
+/// What came out of a step's growth: a value for each individual, or for each day of a curve, and what is to be expected of one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Grown {
     pub values: Vec<f64>,
@@ -36,7 +38,7 @@ impl Answers {
     }
 
     pub fn said(&self, step: usize) -> Option<Said> {
-        self.said.get(&step).copied()
+        self.said.get(&step).cloned()
     }
 
     pub fn grow(&mut self, step: usize, grown: Grown) {
@@ -59,6 +61,7 @@ impl Answers {
             }
             (Some(Guess::Bar { .. }), Some(Said::Number(x))) => format!("{} in 100", rounded(x)),
             (Some(Guess::Number { of }), Some(Said::Number(x))) => format!("{} {of}", rounded(x)),
+            (Some(Guess::Sketch { days, .. }), Some(Said::Curve(values))) => curve(days, &values),
             _ => String::new(),
         }
     }
@@ -81,9 +84,11 @@ impl Answers {
             }
         }
         let grown = self.grown(step).cloned().unwrap_or_default();
+        let sketched = lesson.sketched_before(step);
         if let (Some(measure), [first, ..]) = (growing.measure, &grown.values[..]) {
             let values = &grown.values;
             let told = match values.len() {
+                _ if sketched.is_some() => curve(sketched.unwrap_or_default(), values),
                 1 => measure.told(*first),
                 n => {
                     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -101,15 +106,16 @@ impl Answers {
         }
         match (grown.usual, growing.measure) {
             _ if !growing.expected.is_empty() => lines.push(("Expected", growing.expected.clone())),
-            (Some(Usual { mean, ends: [low, high] }), Some(measure)) => lines.push((
-                "Expected",
-                format!(
-                    "{} in the mean; 95 in 100 individuals lie between {} and {}",
-                    measure.told(mean),
-                    rounded(low),
-                    rounded(high)
-                ),
-            )),
+            (Some(Usual { mean, ends: [low, high] }), Some(measure)) if sketched.is_none() => lines
+                .push((
+                    "Expected",
+                    format!(
+                        "{} in the mean; 95 in 100 individuals lie between {} and {}",
+                        measure.told(mean),
+                        rounded(low),
+                        rounded(high)
+                    ),
+                )),
             _ => {}
         }
         if !growing.nature.is_empty() {
@@ -177,6 +183,18 @@ impl Answers {
         }
         table
     }
+}
+
+/// A curve in words: `10 in 100 on day 0, 25 on day 10`.
+fn curve(days: &[u32], values: &[f64]) -> String {
+    let mut unit = " in 100";
+    let points = days.iter().zip(values);
+    let points: Vec<String> = points
+        .map(|(day, value)| {
+            format!("{}{} on day {day}", rounded(*value), std::mem::take(&mut unit))
+        })
+        .collect();
+    points.join(", ")
 }
 
 /// A field of a table (RFC 4180). What a spreadsheet would take for a formula is kept from it.

@@ -50,6 +50,9 @@ pub fn read(text: &str) -> Result<Lesson, LessonError> {
             return wrong(first.number, "after [predict] comes [grow], which answers it");
         }
         lesson.steps.push(step);
+        if let Some(days) = lesson.sketched_before(lesson.steps.len() - 1).filter(|_| is_asked) {
+            answer_sketch(&lesson.steps[lesson.steps.len() - 1], days, first.number)?;
+        }
         if lesson.steps.len() > MOST_STEPS {
             return wrong(first.number, format!("a lesson has at most {MOST_STEPS} steps"));
         }
@@ -60,6 +63,26 @@ pub fn read(text: &str) -> Result<Lesson, LessonError> {
             wrong(last(&lines), "after [predict] comes [grow], which answers it")
         }
         _ => Ok(lesson),
+    }
+}
+
+/// A curve is answered by one plant, day by day.
+fn answer_sketch(step: &Step, days: &[u32], line: usize) -> Result<(), LessonError> {
+    let Kind::Grow(growing) = &step.kind else { return Ok(()) };
+    if growing.individuals != 1 || !growing.measure.is_some_and(Measure::is_share) {
+        return wrong(
+            line,
+            "a sketch: is answered by one individual and a measure: in 100, such as share F",
+        );
+    }
+    let link = step.link.as_deref().unwrap_or_default();
+    let last = link::read(link, plants::all()).scene.recipe.days;
+    match days.iter().find(|&&day| day > last) {
+        Some(day) => wrong(
+            line,
+            format!("its plant grows for {last} days, and the sketch: asks for day {day}"),
+        ),
+        None => Ok(()),
     }
 }
 
@@ -130,7 +153,7 @@ fn join(before: &mut String, line: &str) {
 }
 
 /// All words that are keys somewhere.
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 19] = [
     "title",
     "age",
     "minutes",
@@ -142,6 +165,8 @@ const KEYS: [&str; 17] = [
     "right",
     "bar",
     "number",
+    "sketch",
+    "days",
     "measure",
     "individuals",
     "expected",
@@ -219,6 +244,7 @@ struct Parts {
     text: Vec<String>,
     ask: String,
     guess: Option<Guess>,
+    days: Vec<u32>,
     growing: Growing,
     students: Vec<Student>,
 }
@@ -235,6 +261,8 @@ impl Parts {
             ("predict", "choice" | "right") => self.choose(line, key == "right", value)?,
             ("predict", "bar") => self.guess(line, Guess::Bar { of: value })?,
             ("predict", "number") => self.guess(line, Guess::Number { of: value })?,
+            ("predict", "sketch") => self.guess(line, Guess::Sketch { of: value, days: vec![] })?,
+            ("predict", "days") => self.days = read_days(line, &value)?,
             ("grow", "measure") => match Measure::of_words(&value) {
                 Some(measure) => self.growing.measure = Some(measure),
                 None => {
@@ -260,7 +288,7 @@ impl Parts {
             },
             _ => {
                 let known = match word {
-                    "predict" => "link, ask, choice, right, bar and number",
+                    "predict" => "link, ask, choice, right, bar, number, sketch and days",
                     "grow" => "link, measure, individuals, expected and nature",
                     "explain" => "link, student and reply",
                     _ => "link alone",
@@ -315,7 +343,15 @@ impl Parts {
                 if self.ask.is_empty() {
                     return wrong(line, "a prediction needs a question, ask:");
                 }
-                let Some(guess) = self.guess else { return wrong(line, ONE_WAY) };
+                let Some(mut guess) = self.guess else { return wrong(line, ONE_WAY) };
+                match &mut guess {
+                    Guess::Sketch { days, .. } if !self.days.is_empty() => *days = self.days,
+                    Guess::Sketch { .. } => {
+                        return wrong(line, "a sketch: needs its days:, such as days: 0, 10, 20");
+                    }
+                    _ if !self.days.is_empty() => return wrong(line, "days: belong to a sketch:"),
+                    _ => {}
+                }
                 if let Guess::Choice { choices, right } = &guess {
                     if choices.len() < 2 {
                         return wrong(line, "one choice is none: two at least");
@@ -338,7 +374,19 @@ impl Parts {
     }
 }
 
-const ONE_WAY: &str = "a prediction has one of choice: lines, bar: or number:";
+const ONE_WAY: &str = "a prediction has one of choice: lines, bar:, number: or sketch:";
+
+/// Days of a curve: from two to eight, each later than the one before.
+fn read_days(line: usize, value: &str) -> Result<Vec<u32>, LessonError> {
+    let days: Option<Vec<u32>> = value.split(',').map(|day| day.trim().parse().ok()).collect();
+    match days {
+        Some(days) if (2..=8).contains(&days.len()) && days.is_sorted_by(|a, b| a < b) => Ok(days),
+        _ => wrong(
+            line,
+            "days: are from two to eight whole numbers, each greater than the one before",
+        ),
+    }
+}
 
 /// The link of an address, if all of it can be shown.
 fn read_link(line: usize, address: &str) -> Result<String, LessonError> {

@@ -57,10 +57,13 @@ fn what_is_wrong_is_told_with_its_line() {
             "Line 5: after [predict] comes [grow], which answers it.",
         ),
         ("[predict] A\nbar: c", "Line 2: a prediction needs a question, ask:."),
-        ("[predict] A\nask: B", "Line 2: a prediction has one of choice: lines, bar: or number:."),
+        (
+            "[predict] A\nask: B",
+            "Line 2: a prediction has one of choice: lines, bar:, number: or sketch:.",
+        ),
         (
             "[predict] A\nbar: B\nright: c",
-            "Line 4: a prediction has one of choice: lines, bar: or number:.",
+            "Line 4: a prediction has one of choice: lines, bar:, number: or sketch:.",
         ),
         ("[predict] A\nask: B\nright: c", "Line 2: one choice is none: two at least."),
         (
@@ -68,6 +71,23 @@ fn what_is_wrong_is_told_with_its_line() {
             "Line 2: one of the choices is written right: in place of choice:.",
         ),
         ("[predict] A\nask: B\nright: c\nright: d", "Line 5: one choice alone can be right:."),
+        (
+            "[predict] A\nask: B\nsketch: c",
+            "Line 2: a sketch: needs its days:, such as days: 0, 10, 20.",
+        ),
+        ("[predict] A\nask: B\nbar: c\ndays: 0, 1", "Line 2: days: belong to a sketch:."),
+        (
+            "[predict] A\nask: B\nsketch: c\ndays: 5, 5",
+            "Line 5: days: are from two to eight whole numbers, each greater than the one before.",
+        ),
+        (
+            "[predict] A\nask: B\nsketch: c\ndays: 0, 5\n[grow] D\nlink: croton\nmeasure: cells",
+            "Line 6: a sketch: is answered by one individual and a measure: in 100, such as share F.",
+        ),
+        (
+            "[predict] A\nask: B\nsketch: c\ndays: 0, 50\n[grow] D\nlink: croton\nmeasure: share F",
+            "Line 6: its plant grows for 30 days, and the sketch: asks for day 50.",
+        ),
         (
             "[grow] A\nlink: croton\nindividuals: 0",
             "Line 4: individuals is a whole number from 1 to 60.",
@@ -222,6 +242,25 @@ fn a_choice_is_told_with_what_turns_out() {
     assert_eq!(beside[0], ("You said", "more".to_string()));
     assert_eq!(beside[1], ("It turns out", "fewer".to_string()));
     assert_eq!(beside[2], ("Grown", "1,234".to_string()));
+}
+
+#[test]
+fn a_curve_is_told_day_by_day_beside_the_one_that_grew() {
+    let guess = Guess::Sketch { of: "yellow".into(), days: vec![0, 5] };
+    let lesson = asked(guess, "share F");
+    assert_eq!(lesson.sketched_before(1), Some(&[0, 5][..]));
+    let mut answers = Answers::default();
+    answers.say(0, Said::Curve(vec![50.0, 80.0]));
+    let usual = Usual { mean: 50.0, ends: [47.3, 52.7] };
+    answers.grow(1, Grown { values: vec![49.6, 52.1], usual: Some(usual) });
+    assert_eq!(
+        answers.beside(&lesson, 1),
+        [
+            ("You said", "50 in 100 on day 0, 80 on day 5".to_string()),
+            ("Grown", "50 in 100 on day 0, 52 on day 5".to_string()),
+        ]
+    );
+    assert_eq!(asked(Guess::Bar { of: "a".into() }, "share F").sketched_before(1), None);
 }
 
 #[test]

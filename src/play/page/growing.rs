@@ -48,7 +48,7 @@ impl Page {
         self.shown = bare(&self.scene);
         self.drawn = None;
         // The title is that of the figures meanwhile.
-        self.said.clear();
+        self.heard = None;
         self.end_worker(effects);
     }
 

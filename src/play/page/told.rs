@@ -1,8 +1,9 @@
 //! What the page says in words: of the picture, of the growth, and at its fields.
 
+use super::super::narration::{Moment, change, summary};
 use super::super::parameters::{PARAMETERS, Parameter};
 use super::super::{End, Scene, words};
-use super::Page;
+use super::{Effect, Page};
 
 /// Numbers that had to make room for another one, each with what it was.
 pub(super) struct Moves {
@@ -30,19 +31,34 @@ impl Moves {
 }
 
 impl Page {
-    /// The picture in words: `Croton, individual 7, day 12: 31,402 cells, 38% yellow`.
-    pub fn description(&self) -> String {
-        let (scene, shown) = (&self.scene, &self.shown);
+    /// What is on the screen, in short: `Croton, individual 7, day 12`.
+    pub fn title(&self) -> String {
+        let (name, shown) = (self.scene.plant.name, &self.shown);
         match &shown.day {
-            Some(day) => {
-                let said = words::describe(&self.run.scene, shown.individual, day, scene.show);
-                match self.told_of_clone() {
-                    Some(clone) => format!("{said}. {}", clone.in_words()),
-                    None => said,
-                }
-            }
-            None => format!("{}, individual {}", scene.plant.name, scene.individual),
+            Some(day) => format!("{name}, individual {}, day {}", shown.individual, day.day),
+            None => format!("{name}, individual {}", self.scene.individual),
         }
+    }
+
+    /// The picture that came to rest last, in words: see `narration::summary`.
+    pub fn summary(&self) -> &str {
+        &self.summary
+    }
+
+    /// Says what is on the screen, or what the last act has changed there, unless that was said.
+    pub(super) fn narrate(&mut self, effects: &mut Vec<Effect>) {
+        let Some(day) = self.shown.day.clone() else { return };
+        let clone = self.told_of_clone().map(|told| told.in_words()).unwrap_or_default();
+        let now = Moment { scene: self.scene.clone(), day, clone };
+        if self.heard.as_ref() == Some(&now) {
+            return;
+        }
+        self.summary = summary(&self.run, &now);
+        effects.push(Effect::Say(match &self.heard {
+            Some(before) if before.scene.plant.key == now.scene.plant.key => change(before, &now),
+            _ => self.summary.clone(),
+        }));
+        self.heard = Some(now);
     }
 
     /// What is being waited for; nothing where nothing is.

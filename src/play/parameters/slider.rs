@@ -49,12 +49,6 @@ impl Parameter {
             Scale::Ratio => rungs().nth(position as usize).unwrap_or(self.range[1]),
         }
     }
-
-    /// A value with its unit.
-    pub fn said(&self, value: f64) -> String {
-        let gap = if self.unit.is_empty() { "" } else { " " };
-        format!("{value}{gap}{}", self.unit)
-    }
 }
 
 /// The values of the scale by ratio.

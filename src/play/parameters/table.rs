@@ -1,13 +1,13 @@
 //! The table of all parameters.
 
-use super::{Needs, Parameter, Scale};
+use super::{Needs, Parameter, Scale, colour};
 use crate::play::Scene;
 use crate::tissue::CellType::{self, Background as B, Foreground as F, Middle as M};
 use crate::tissue::Clock;
 
 /// What most parameters have in common: numbers without a unit that every plant has, and a change
 /// grows the plant again.
-const NUMBER: Parameter = Parameter {
+pub(super) const NUMBER: Parameter = Parameter {
     key: "",
     label: "",
     symbol: "",
@@ -16,6 +16,7 @@ const NUMBER: Parameter = Parameter {
     step: 1.0,
     scale: Scale::Even,
     names: &[],
+    is_colour: false,
     effect: "",
     needs: Needs::Nothing,
     regrows: true,
@@ -345,6 +346,9 @@ pub const PARAMETERS: &[Parameter] = &[
         set: |s, x| s.look.variation = x as f32,
         ..NUMBER
     },
+    colour::OF_F,
+    colour::OF_B,
+    colour::OF_M,
 ];
 
 /// An f32 as the short decimal that it was written as.

@@ -49,6 +49,9 @@ struct Wanted {
     /// The plant to be printed in colours: closed bodies, and leaves 1.2 mm thick
     #[arg(long = "3mf", value_name = "OUT.3mf")]
     three_mf: Option<PathBuf>,
+    /// The plant as USDZ, for iPhones and iPads, which put it into the room
+    #[arg(long, value_name = "OUT.usdz")]
+    usdz: Option<PathBuf>,
     /// Its leaves laid flat, true to scale, as SVG: one path for each type on each leaf
     #[arg(long, value_name = "OUT.svg")]
     svg: Option<PathBuf>,
@@ -81,12 +84,13 @@ impl ExportOptions {
     }
 
     fn path(&self, kind: Kind) -> Option<&Path> {
-        let Wanted { glb, ply, obj, three_mf, svg, tile, days, clones, cells } = &self.wanted;
+        let Wanted { glb, ply, obj, three_mf, usdz, svg, tile, days, clones, cells } = &self.wanted;
         let path = match kind {
             Kind::Glb => glb,
             Kind::Ply => ply,
             Kind::Obj => obj,
             Kind::ThreeMf => three_mf,
+            Kind::Usdz => usdz,
             Kind::Svg => svg,
             Kind::Tile => tile,
             Kind::Days => days,

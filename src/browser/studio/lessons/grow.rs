@@ -2,8 +2,9 @@
 
 use super::{LessonView, Place, root};
 use crate::browser::dom::{set_attribute, set_flag, set_text};
+use crate::browser::studio::wish::MEASURE;
 use crate::browser::studio::work::{Said, Work};
-use crate::browser::studio::{subject, with, worker};
+use crate::browser::studio::{subject, with};
 use crate::plants;
 use crate::play::lesson::{Growing, Grown, Kind};
 use crate::play::link;
@@ -59,10 +60,16 @@ impl LessonView {
             is_measured: measure.is_none(),
         });
         self.tell("Growing …");
-        self.show_progress(Some((0, individuals)));
+        let days = place.lesson.sketched_before(place.step);
+        let all = days.map_or(individuals, |days| days.len() as u32);
+        self.show_progress(Some((0, all)));
         let Some(measure) = measure else { return self.reveal() };
         let link = step.link.clone().unwrap_or_default();
-        let wish = format!("{individuals} {}", measure.words());
+        let which = match days {
+            Some(days) => days.iter().map(u32::to_string).collect::<Vec<_>>().join(","),
+            None => individuals.to_string(),
+        };
+        let wish = format!("{which} {}", measure.words());
         let (name, number) = (place.name.clone(), place.step);
         spawn_local(async move {
             let mesh = subject::mesh_of(&link::read(&link, plants::all()).scene).await;
@@ -75,7 +82,7 @@ impl LessonView {
                 let started = mesh
                     .map_err(|why| format!("The plant's body did not come: {why}."))
                     .and_then(|mesh| {
-                        Work::start([worker::MEASURE, &link, &mesh, &wish], |said| {
+                        Work::start([MEASURE, &link, &mesh], wish, |said| {
                             with(|studio| studio.lessons.hear(said));
                         })
                     });

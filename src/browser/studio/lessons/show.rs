@@ -1,7 +1,7 @@
 //! A step on the page.
 
 use super::list::{add, when};
-use super::{LessonView, Place, root};
+use super::{LessonView, Place, root, sketch};
 use crate::browser::dom::{set_attribute, set_flag, set_text};
 use crate::play::lesson::{Guess, Kind, Said, Student};
 use crate::play::typed;
@@ -25,6 +25,9 @@ pub fn said(view: &Element, guess: &Guess) -> Result<Said, &'static str> {
         Guess::Bar { .. } => input(".ways input[data-touched]")
             .map(|bar| Said::Number(bar.value_as_number()))
             .ok_or("Move the bar first."),
+        Guess::Sketch { .. } => {
+            sketch::drawn(view).map(Said::Curve).ok_or("Give each day its point first.")
+        }
         Guess::Number { .. } => {
             let text = input(".ways input").map(|input| input.value()).unwrap_or_default();
             let number = typed::number(&text, true);
@@ -147,6 +150,13 @@ impl LessonView {
                     add(&ends, "span", "", end);
                 }
             }
+            Guess::Sketch { of, days } => {
+                let said = match &said {
+                    Some(Said::Curve(values)) => &values[..],
+                    _ => &[],
+                };
+                sketch::show(&ways, of, days, said);
+            }
             Guess::Number { of } => {
                 let label = add(&ways, "label", "number", "");
                 let input: HtmlInputElement = add(&label, "input", "", "").unchecked_into();
@@ -196,8 +206,13 @@ impl LessonView {
             add(&result, "p", "measured", &measured);
         }
         let asked = lesson.asked_before(step);
-        if let Some(measure) = growing.measure.filter(|_| !grown.values.is_empty()) {
-            let said = asked.and_then(|asked| answers.said(asked));
+        let said = asked.and_then(|asked| answers.said(asked));
+        if let Some(days) = lesson.sketched_before(step) {
+            let said = if let Some(Said::Curve(said)) = said { said } else { Vec::new() };
+            let chart = crate::export::curves(&measured, days, &said, &grown.values);
+            let _ = result.insert_adjacent_html("beforeend", &chart.to_svg(None));
+            add(&result, "p", "hint", "Dashed: what you drew. The other curve grew.");
+        } else if let Some(measure) = growing.measure.filter(|_| !grown.values.is_empty()) {
             let strip = crate::export::strip(grown, said, measure.is_share());
             let _ = result.insert_adjacent_html("beforeend", &strip);
             let dots =

@@ -1,0 +1,120 @@
+//! Plants of the visitor's own: made by the workshop, held in the page, and kept on this machine if that is wished.
+
+use super::files::{begin, tell};
+use super::subject::{self, link_of};
+use super::wish::OWN;
+use super::work::Said;
+use crate::browser::dom::{document, find, set_attribute, window};
+use crate::browser::files;
+use crate::plants;
+use crate::play::{FIRST_INDIVIDUAL, Scene, link};
+use js_sys::{Array, Uint8Array};
+use wasm_bindgen::JsValue;
+use wasm_bindgen_futures::spawn_local;
+use web_sys::{HtmlInputElement, Storage};
+
+/// Under these names the last plant is kept: its file, its name, and the link of what stood there before.
+const KEPT: [&str; 3] = ["mosaic-own-file", "mosaic-own-name", "mosaic-own-link"];
+
+/// Makes a plant of a file, and shows it.
+pub fn make(name: &str, bytes: &Uint8Array) {
+    let link = link_of(&subject::address()).to_string();
+    if find::<HtmlInputElement>("keep-own").checked() {
+        keep(name, bytes, &link);
+    }
+    make_on(link, name.to_string(), bytes.clone(), None);
+}
+
+/// Makes the plant that was kept, and shows it if it is the one that a link asks for.
+pub fn make_what_was_kept(asked: String) {
+    let Some(storage) = storage() else { return };
+    let [file, name, link] = KEPT.map(|key| storage.get_item(key).ok().flatten());
+    if let (Some(file), Some(name), Some(link)) = (file, name, link) {
+        make_on(link, name, Uint8Array::from(file.as_bytes()), Some(asked));
+    }
+}
+
+/// Forgets what was kept.
+pub fn forget() {
+    if let Some(storage) = storage() {
+        KEPT.iter().for_each(|key| drop(storage.remove_item(key)));
+    }
+}
+
+/// Makes a plant on top of the scene of a link, and shows it as its preset is, or as the link says that asks for it.
+fn make_on(base: String, name: String, bytes: Uint8Array, asked: Option<String>) {
+    spawn_local(async move {
+        let text = String::from_utf8_lossy(&bytes.to_vec()).into_owned();
+        let mesh = mesh_named_in(&name, &text).await;
+        let named = name.clone();
+        let hear = move |said: Said| match said {
+            Said::Day(_) => {}
+            Said::Refused(why) => tell(&format!("{named}: {why}.")),
+            Said::Done(answer) => {
+                let [key, text, told] =
+                    [0, 1, 2].map(|k| answer.get(k).as_string().unwrap_or_default());
+                match &asked {
+                    Some(link) if !link.contains(&key) => {}
+                    asked => {
+                        show(&key, &text, asked.as_deref());
+                        if asked.is_none() && !told.is_empty() {
+                            tell(&format!("{named}: {told}."));
+                        }
+                    }
+                }
+            }
+        };
+        let file = Array::of2(&name.into(), &bytes);
+        match mesh {
+            Ok(mesh) => begin([OWN, &base, &mesh], JsValue::from(file), hear),
+            Err(why) => tell(&format!("The body that the document names did not come: {why}.")),
+        }
+    });
+}
+
+/// The mesh of the catalogue that a document names; none in any other file, and the plant that is there.
+async fn mesh_named_in(name: &str, text: &str) -> Result<String, String> {
+    let is_named = |mesh: &str| text.contains(&format!("\"{mesh}\""));
+    let named = plants::all().iter().find(|plant| is_named(plant.body.mesh.name));
+    match named.filter(|_| name.ends_with(".json")) {
+        Some(plant) => files::read_mesh(plant.body.mesh.name).await,
+        None => Ok(subject::own()),
+    }
+}
+
+/// Puts a plant into the page, which reads it when its link is opened.
+fn show(key: &str, text: &str, asked: Option<&str>) {
+    let Some(plant) = plants::bring(text) else { return };
+    let id = format!("meshes/{key}.txt");
+    if document().get_element_by_id(&id).is_none()
+        && let Ok(holder) = document().create_element("script")
+    {
+        set_attribute(&holder, "type", "text/plain");
+        set_attribute(&holder, "id", &id);
+        holder.set_text_content(Some(text));
+        let _ = document().head().expect("a page has a head").append_child(&holder);
+    }
+    match asked {
+        Some(link) => subject::show(link.trim_start_matches('#')),
+        None => subject::show(&link::write(&Scene::preset(plant, FIRST_INDIVIDUAL))),
+    }
+}
+
+fn keep(name: &str, bytes: &Uint8Array, link: &str) {
+    let bytes = bytes.to_vec();
+    let text = std::str::from_utf8(&bytes).ok();
+    let kept = storage().zip(text).is_some_and(|(storage, text)| {
+        let mut pairs = KEPT.into_iter().zip([text, name, link]);
+        pairs.all(|(key, value)| storage.set_item(key, value).is_ok())
+    });
+    if !kept {
+        forget();
+        tell(
+            "This browser has no room to keep it: its link opens here only while the page is open.",
+        );
+    }
+}
+
+fn storage() -> Option<Storage> {
+    window().local_storage().ok().flatten()
+}

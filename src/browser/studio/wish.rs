@@ -1,0 +1,29 @@
+//! What the studio wishes of its workshop: an array of a word, a link, the packed mesh of its plant, and what
+//! else the word needs. The word of a kind of file (`export::Kind`) needs the name of the file without its end.
+//!
+//! It is answered by numbers, how many days have grown; a text, why it cannot be; or an array, what was wanted:
+//! of a file what it is in a few words, and its bytes.
+
+/// The plant as JSON: a file.
+pub const DOCUMENT: &str = "document";
+
+/// Pixels, an `ImageData`, as a PNG: a file.
+pub const PICTURE: &str = "picture";
+
+/// The colours of a photograph, an `ImageData`: an array of the first cells that its patches need, and of each
+/// colour its three parts in sRGB and its share.
+pub const PHOTO: &str = "photo";
+
+/// A plant of a file of the visitor's own, an array of its name and its bytes: its key, its text, and what was done
+/// to it. In place of the mesh stands that which a document names, if one does.
+pub const OWN: &str = "own";
+
+/// The bytes of a file as the link that it holds.
+pub const OPEN: &str = "open";
+
+/// All days in numbers: an array with the numbers of each (`DayNumbers::to_row`), and at last an empty one.
+pub const NUMBERS: &str = "numbers";
+
+/// One number of some individuals, how many and what: `12 share F`. An array with the number of each, and at last
+/// an empty one.
+pub const MEASURE: &str = "measure";

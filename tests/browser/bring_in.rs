@@ -1,0 +1,83 @@
+//! What is brought in: the colours of a photograph.
+
+use crate::engines::Graphics;
+use crate::page::Page;
+use clonal_mosaic::plants;
+use clonal_mosaic::play::link;
+
+/// A photograph, drawn by hand: stripes of two colours on white, three of ten pixels of the first.
+fn photograph([first, second]: [[u8; 3]; 2]) -> Vec<u8> {
+    const SIDE: u32 = 200;
+    let mut pixels = Vec::new();
+    for k in 0..SIDE * SIDE {
+        let [x, y] = [k % SIDE, k / SIDE];
+        let is_leaf = (20..180).contains(&x) && (20..180).contains(&y);
+        pixels.extend(match (is_leaf, (x - x.min(20)) % 40) {
+            (false, _) => [252, 252, 250],
+            (true, 0..12) => first,
+            (true, _) => second,
+        });
+    }
+    let mut png = Vec::new();
+    let mut encoder = png::Encoder::new(&mut png, SIDE, SIDE);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
+    png
+}
+
+#[test]
+fn a_plant_takes_the_colours_of_a_photograph_and_gives_them_back() {
+    let before = "croton?v=1&s=2&d=1";
+    let Some(page) = Page::open(Graphics::WebGpu, &format!("#{before}")) else { return };
+    page.on_day(1);
+    page.drop("leaf.png", "image/png", &photograph([[230, 120, 200], [30, 60, 120]]));
+    let found = "return [...document.querySelectorAll('#bring-in-dialog .colours li')].length === 2
+                     && !document.querySelector('#bring-in-dialog .found').hidden";
+    page.wait_for("the colours of the photograph", found);
+    let told = page.run("return document.querySelector('#bring-in-dialog .colours').innerText");
+    assert!(told.as_str().unwrap().contains("70%") && told.as_str().unwrap().contains("30%"));
+    let proposed =
+        page.run("return document.querySelector('#bring-in-dialog .proposed').innerText");
+    assert!(proposed.as_str().unwrap().starts_with("First cells: "), "{proposed}");
+
+    // Only the colours, the other way around than they are proposed.
+    page.run(
+        "const dialog = document.getElementById('bring-in-dialog');
+         dialog.querySelector('.with-numbers').click();
+         const select = dialog.querySelector('.colours select');
+         select.selectedIndex = 1 - select.selectedIndex;
+         select.dispatchEvent(new Event('change', {bubbles: true}));
+         dialog.querySelector('.give').click()",
+    );
+    page.wait_for("its colours", "return location.hash.includes('cf=')");
+    let taken = link::read(&page.link(), plants::all());
+    assert_eq!(taken.left_out, [""; 0]);
+    let [f, b, _] = taken.scene.look.cells.map(|colour| colour.map(|c| (255.0 * c).round()));
+    let near = |a: [f32; 3], b: [f32; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 4.0);
+    assert!(near(f, [30.0, 60.0, 120.0]) && near(b, [230.0, 120.0, 200.0]), "{f:?} {b:?}");
+    assert_eq!(taken.scene.recipe, taken.scene.plant.recipe);
+    let shown = "return document.getElementById('parameter-cf').value";
+    assert_eq!(page.run(shown), format!("#{:02x}{:02x}{:02x}", f[0] as u8, f[1] as u8, f[2] as u8));
+    page.click("undo");
+    page.wait_for("what was before", &format!("return location.hash === '#{before}'"));
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
+fn a_colour_is_picked_in_the_panel() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#croton?v=1&s=2&d=1") else { return };
+    let fingerprint = page.on_day(1).fingerprint;
+    page.run(
+        "document.querySelector('.recipe').open = true;
+         const colour = document.getElementById('parameter-cb');
+         colour.value = '#0000ff';
+         colour.dispatchEvent(new Event('input', {bubbles: true}))",
+    );
+    page.wait_for("the link", "return location.hash === '#croton?v=1&s=2&d=1&cb=0000ff'");
+    let state = page.on_day(1);
+    assert_eq!(state.fingerprint, fingerprint, "the same cells in another colour");
+    page.sharp();
+    let picture = page.picture();
+    let blue = picture.rgb.iter().filter(|[r, g, b]| *b > 100 && b / 2 > *r.max(g));
+    assert!(blue.count() > 2000, "blue cells are seen");
+}
