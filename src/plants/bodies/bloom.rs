@@ -85,7 +85,8 @@ pub fn lance(sketch: &mut Sketch, foot: Vec3, along: Vec3, length_cm: f32, width
     let side = along.cross(Vec3::Y).normalize() * (width_cm / 2.0);
     let mut below = Vec::new();
     for (share, width) in [(0.0, 0.35), (0.3, 1.1), (0.65, 0.9), (1.0, 0.0)] {
-        let middle = foot + along * (length_cm * share) - Vec3::Y * (0.3 * length_cm * share * share);
+        let middle =
+            foot + along * (length_cm * share) - Vec3::Y * (0.3 * length_cm * share * share);
         let above: Vec<u32> = match width {
             0.0 => vec![sketch.vertex(middle)],
             // Folded a little along the midrib.

@@ -12,6 +12,7 @@ pub fn grow() -> PolygonMesh {
     let mut numbers = FlowerNumbers::from_json(NUMBERS).expect("our own numbers");
     // As few corners as will do: each moves on every day.
     (numbers.petals.columns, numbers.petals.rows) = (1, 5);
+    numbers.pedicel_cm = 9.0;
     let mut sketch = bloom(&numbers, Vec3::ZERO, &days(10.0, 20.0, 5, 0.6), |_| {});
     sketch.group("floating leaf", "bare:leaf");
     sketch.disc(2, 1, |turns, rho| {

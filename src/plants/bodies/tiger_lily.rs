@@ -13,6 +13,7 @@ pub fn grow() -> PolygonMesh {
     let mut numbers = FlowerNumbers::from_json(NUMBERS).expect("our own numbers");
     // As few corners as will do: each moves on every day.
     numbers.petals.rows = 9;
+    numbers.pedicel_cm = 17.0;
     if let Some(stamens) = &mut numbers.stamens {
         (stamens.sides, stamens.rings) = (3, 3);
     }
@@ -24,7 +25,7 @@ pub fn grow() -> PolygonMesh {
         for leaf in 0..LEAVES {
             let height_cm = 1.5 + 1.5 * leaf as f32;
             let out = on_circle(0.1 + 0.382 * leaf as f32, 1.0, 0.0);
-            let along = (out + Vec3::Y * 0.5).normalize();
+            let along = (out + Vec3::Y * 0.8).normalize();
             lance(sketch, out * 0.2 + Vec3::Y * height_cm, along, 8.0 - 0.5 * leaf as f32, 1.1);
         }
     }))
