@@ -1,8 +1,8 @@
 //! The one application of this page: takes events to the page's brain, does what it says, and brings
 //! the document into agreement with it.
 
-mod bodies;
 mod frame;
+mod loading;
 
 use super::address::{fragment, mark_ui, push_link, wanted, with_fragment, write_link};
 use super::card::Card;
@@ -33,8 +33,8 @@ use crate::play::gallery;
 use crate::play::page::{Effect, Event, Page, State};
 use crate::play::parameters::Parameter;
 use crate::play::series::asked_view;
-use bodies::{bring_own, load_mesh};
 use glam::Vec2;
+use loading::{bring_own, load_mesh};
 use std::cell::RefCell;
 use wasm_bindgen_futures::spawn_local;
 

@@ -27,8 +27,10 @@ mod expected;
 mod fittonia;
 mod goeppertia;
 mod guides;
+mod lily;
 mod long_watermelon;
 mod look;
+mod lotus;
 mod lungwort;
 mod moon_and_stars;
 mod mushroom;
@@ -45,6 +47,7 @@ mod spikes;
 mod square_watermelon;
 #[cfg(test)]
 mod tests;
+mod tiger_lily;
 mod watermelon;
 mod winter_squash;
 mod words;
@@ -214,7 +217,7 @@ pub struct View {
 
 /// All plants in the order of the chooser, kind by kind.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 21] = [
+    static ALL: [Plant; 24] = [
         croton::PLANT,
         cactus::PLANT,
         mushroom::PLANT,
@@ -236,13 +239,22 @@ pub fn all() -> &'static [Plant] {
         fittonia::PLANT,
         goeppertia::PLANT,
         coleus::PLANT,
+        lily::PLANT,
+        lotus::PLANT,
+        tiger_lily::PLANT,
     ];
     &ALL
 }
 
-/// How far a pattern has a structure of its own beside what clones make, and how many plants are of that kind.
-const KINDS: [(Text, usize); 4] =
-    [("Not structured", 8), ("Partly structured", 4), ("Structured", 5), ("Led by veins", 4)];
+/// How far a pattern has a structure of its own beside what clones make, and how many plants are of that kind; the last
+/// ones move.
+const KINDS: [(Text, usize); 5] = [
+    ("Not structured", 8),
+    ("Partly structured", 4),
+    ("Structured", 5),
+    ("Led by veins", 4),
+    ("Flowers that open", 3),
+];
 
 /// The plants by the structure of their patterns: the name of each kind, and its plants.
 pub fn kinds() -> impl Iterator<Item = (Text, &'static [Plant])> {

@@ -5,11 +5,14 @@
 
 mod begonia;
 mod blade;
+mod bloom;
 mod cactus;
 mod coleus;
 mod croton;
 mod fittonia;
 mod goeppertia;
+mod lily;
+mod lotus;
 mod lungwort;
 mod mushroom;
 mod palmate;
@@ -17,9 +20,11 @@ mod philodendron;
 mod sansevieria;
 mod sketch;
 mod square_watermelon;
+mod tiger_lily;
 mod watermelon;
 mod winter_squash;
 
+use crate::shapes::flower::cut::{cut_share, pierces};
 use crate::surface::{Mesh, PolygonMesh};
 use glam::Vec3;
 use std::collections::BTreeSet;
@@ -27,7 +32,7 @@ use std::collections::BTreeSet;
 type Rule = fn() -> PolygonMesh;
 
 /// The name of each file under `meshes/` and the rule that makes it.
-const RULES: [(&str, Rule); 15] = [
+const RULES: [(&str, Rule); 18] = [
     ("croton", croton::grow),
     ("cactus", cactus::grow),
     ("watermelon", watermelon::grow),
@@ -43,6 +48,9 @@ const RULES: [(&str, Rule); 15] = [
     ("goeppertia", goeppertia::grow),
     ("winter_squash", winter_squash::grow),
     ("coleus", coleus::grow),
+    ("lily", lily::grow),
+    ("lotus", lotus::grow),
+    ("tiger_lily", tiger_lily::grow),
 ];
 
 fn path(name: &str) -> std::path::PathBuf {
@@ -110,10 +118,22 @@ fn cuts(mesh: &Mesh) -> BTreeSet<(u32, u32)> {
     cuts
 }
 
-/// Whether the straight line from `p` to `q` goes through a triangle.
-fn pierces(p: Vec3, q: Vec3, [a, b, c]: [Vec3; 3]) -> bool {
-    let volume = |a: Vec3, b: Vec3, c: Vec3, d: Vec3| (b - a).cross(c - a).dot(d - a);
-    let sides = [volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)];
-    let through = sides.iter().all(|&v| v > 0.0) || sides.iter().all(|&v| v < 0.0);
-    through && volume(a, b, c, p) * volume(a, b, c, q) < 0.0
+#[test]
+fn petals_do_not_cut_through_each_other_on_any_day() {
+    let mut wrong = Vec::new();
+    for key in ["lily", "lotus", "tiger-lily"] {
+        let plant = crate::plants::find(key).unwrap();
+        let rest = plant.embedded_body().surface;
+        for day in 0..=plant.recipe.days {
+            let mesh = rest.on(day);
+            let triangles = (0..mesh.triangles.len() as u32)
+                .map(|t| (mesh.corners(t), mesh.parts[t as usize]))
+                .collect();
+            let cut = cut_share(triangles);
+            if cut >= 0.005 {
+                wrong.push(format!("{key}, day {day}: {:.2} %", 100.0 * cut));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

@@ -15,19 +15,19 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// `slenderness` is the width of the petal, in lengths, at a share of its length; `columns` are those of a half
+    /// `rows` of quads, and two triangles that meet in the tip. `slenderness` is the width of the petal, in lengths, at a share of its length; `columns` are those of a half
     /// where it is the widest.
     pub fn new(rows: u32, columns: u32, slenderness: impl Fn(f64) -> f64) -> Layout {
         let mut layout = Layout { corners: Vec::new(), faces: Vec::new(), weights: Vec::new() };
-        // The last row is nearly as long: two triangles meet in the tip.
-        let step = 1.0 / (f64::from(rows) + 0.9);
+        let places = row_places(rows, &slenderness);
         // Of both halves the row before, from the vein to the rim.
         let mut below: [Vec<u32>; 2] = Default::default();
-        for row in 0..=rows + 1 {
-            let is_tip = row > rows;
-            let along = if is_tip { 1.0 } else { f64::from(row) * step };
+        for (row, &along) in places.iter().enumerate() {
+            let is_tip = row + 1 == places.len();
+            let step = (places[(row + 1).min(places.len() - 1)] - places[row.saturating_sub(1)])
+                / if row == 0 || is_tip { 1.0 } else { 2.0 };
             let quads = slenderness(along) / 2.0 / step;
-            let count = ((quads - 0.4).ceil() as u32).clamp(1, columns) * u32::from(!is_tip);
+            let count = ((quads - 0.1).ceil() as u32).clamp(1, columns) * u32::from(!is_tip);
             let vein = layout.corner(0.0, along);
             for (half, side) in [-1.0, 1.0].into_iter().enumerate() {
                 let outward = (1..=count).map(|c| side * f64::from(c) / f64::from(count));
@@ -71,4 +71,27 @@ impl Layout {
             along.sum(|row| across.sum(|column| sheet[row * COLUMNS + column]))
         })
     }
+}
+
+/// Where rows begin, from the foot, 0, to the tip, 1: closer where the petal is narrow, so that quads are nearly as long as
+/// wide.
+fn row_places(rows: u32, slenderness: impl Fn(f64) -> f64) -> Vec<f64> {
+    const STEPS: u32 = 256;
+    let middle = |step: u32| (f64::from(step) + 0.5) / f64::from(STEPS);
+    let mean = (0..STEPS).map(|step| slenderness(middle(step))).sum::<f64>() / f64::from(STEPS);
+    let dense = |step: u32| 1.0 / (slenderness(middle(step)) + 2.0 * mean);
+    let all: f64 = (0..STEPS).map(dense).sum();
+    // The last row is nearly as long as the others.
+    let row = all / (f64::from(rows) + 0.9);
+    let mut places = vec![0.0];
+    let mut sum = 0.0;
+    for step in 0..STEPS {
+        let missing = row * places.len() as f64 - sum;
+        if missing <= dense(step) && places.len() <= rows as usize {
+            places.push((f64::from(step) + missing / dense(step)) / f64::from(STEPS));
+        }
+        sum += dense(step);
+    }
+    places.push(1.0);
+    places
 }

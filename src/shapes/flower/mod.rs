@@ -2,6 +2,8 @@
 //! al., *Sketch-Based Modeling and Animation of Floral Blossom*, Journal of Software 18, 2007).
 
 mod bspline;
+#[cfg(test)]
+pub(crate) mod cut;
 mod growth;
 mod layout;
 mod numbers;

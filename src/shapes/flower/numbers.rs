@@ -47,7 +47,7 @@ impl Default for FlowerNumbers {
             nod_deg: 60.0,
             open_day: 4.0,
             growth: 6.0,
-            irregularity: 0.03,
+            irregularity: 0.02,
         }
     }
 }

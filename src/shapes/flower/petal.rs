@@ -75,8 +75,15 @@ pub struct CrossStroke {
 impl Default for PetalNumbers {
     /// A golden lily's.
     fn default() -> PetalNumbers {
-        let edge =
-            [[0.2, 0.0], [0.3, 1.6], [0.9, 4.0], [1.8, 6.6], [1.6, 9.2], [0.6, 10.6], [0.0, 11.2]];
+        let edge = [
+            [0.28, 0.0],
+            [0.36, 1.6],
+            [0.9, 4.0],
+            [1.8, 6.6],
+            [1.6, 9.2],
+            [0.6, 10.6],
+            [0.0, 11.2],
+        ];
         let to_vein = [[-1.0, 0.35], [-0.5, 0.3], [0.0, 0.0], [0.5, 0.3], [1.0, 0.35]];
         PetalNumbers {
             arrangement: Arrangement::Whorls(vec![3, 3]),
@@ -87,17 +94,10 @@ impl Default for PetalNumbers {
             cross: vec![CrossStroke { at: 0.5, lift_cm: to_vein.to_vec() }],
             wave_cm: 0.25,
             waves: 2.0,
-            bud_cm: vec![
-                [0.45, 0.0],
-                [0.7, 1.6],
-                [0.95, 3.8],
-                [0.9, 5.8],
-                [0.55, 7.6],
-                [0.05, 8.6],
-            ],
+            bud_cm: vec![[0.6, 0.0], [0.7, 1.6], [0.95, 3.8], [0.9, 5.8], [0.55, 7.6], [0.05, 8.6]],
             open_cm: vec![
-                [0.45, 0.0],
-                [0.65, 1.6],
+                [0.6, 0.0],
+                [0.7, 1.6],
                 [1.5, 4.0],
                 [3.4, 6.2],
                 [5.8, 6.9],
@@ -106,9 +106,9 @@ impl Default for PetalNumbers {
             ],
             bud_deg: 61.0,
             throat: 0.35,
-            lean: 0.05,
+            lean: 0.06,
             nest: 0.25,
-            inner_width: 1.2,
+            inner_width: 1.15,
             inner_length: 0.97,
             outer_turn_deg: 10.0,
             inner_lag: 0.1,

@@ -31,8 +31,8 @@ impl Default for ReceptacleNumbers {
 }
 
 /// Corners around it, and rings of them.
-pub const SIDES: u32 = 12;
-pub const RINGS: u32 = 4;
+pub const SIDES: u32 = 10;
+pub const RINGS: u32 = 3;
 /// Turns from one carpel to the next.
 const DIVERGENCE: f64 = 0.381_966_011_250_105;
 
@@ -49,7 +49,6 @@ impl ReceptacleNumbers {
     pub fn rings(&self) -> Vec<DVec3> {
         let profile = [
             (self.foot_cm, 0.0),
-            (0.5 * (self.foot_cm + self.radius_cm), 0.55 * self.height_cm),
             (self.radius_cm, 0.96 * self.height_cm),
             (0.94 * self.radius_cm, self.height_cm),
         ];

@@ -41,7 +41,7 @@ impl Cholesky {
         for row in (0..self.size).rev() {
             side[row] /= self.lower[row * self.size + row];
             for k in self.first[row]..row {
-                side[k] = side[k] - side[row] * self.lower[row * self.size + k];
+                side[k] -= side[row] * self.lower[row * self.size + k];
             }
         }
     }

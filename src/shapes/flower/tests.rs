@@ -1,6 +1,7 @@
 //! Flowers against exact sums, ends, turns and gaps, and petals that keep out of each other.
 
 use super::bspline::{Stroke, Weights, control_points, through};
+use super::cut::cut_share;
 use super::opening::{Opening, joints};
 use super::solve::Cholesky;
 use super::template::{COLUMNS, ROWS, Template, round};
@@ -298,7 +299,7 @@ fn petals_do_not_pass_through_each_other() {
     for (text, individual) in [("{}", 1), ("{}", 2), (LOTUS, 1), (LOTUS, 2), (TIGER_LILY, 1)] {
         let flower = Flower::new(&FlowerNumbers::from_json(text).unwrap(), individual).unwrap();
         for moment in 0..=20 {
-            let cut = cut_share(&flower, f64::from(moment) / 20.0);
+            let cut = cut_at(&flower, f64::from(moment) / 20.0);
             assert!(cut < 0.005, "{cut} of the petals at moment {moment}, {text}");
         }
     }
@@ -310,17 +311,17 @@ fn the_measure_of_cuts_finds_what_is_cut() {
     numbers.petals.lean = 0.0;
     numbers.petals.bud_deg = 90.0;
     // Petals of a circle overlap by 60 degrees of their 180, all in one place.
-    let cut = cut_share(&Flower::new(&numbers, 1).unwrap(), 0.0);
+    let cut = cut_at(&Flower::new(&numbers, 1).unwrap(), 0.0);
     assert!(cut > 0.1, "{cut}");
 }
 
-/// The share of all petals' area, in fine triangles, that lies in a triangle which another petal passes through.
-fn cut_share(flower: &Flower, time: f64) -> f64 {
+/// The share of all petals, in fine triangles, that is cut at a time.
+fn cut_at(flower: &Flower, time: f64) -> f64 {
     const ACROSS: usize = 12;
     const ALONG: usize = 24;
-    let mut triangles: Vec<([Vec3; 3], usize)> = Vec::new();
+    let mut triangles: Vec<([Vec3; 3], u32)> = Vec::new();
     let sheets = flower.petals.sheets(&joints(), &Growth::share(6.0), time).collect::<Vec<_>>();
-    for (petal, sheet) in sheets.iter().enumerate() {
+    for (petal, sheet) in (0..).zip(&sheets) {
         let at = |column: usize, row: usize| {
             let across = Weights::at(COLUMNS, column as f64 / ACROSS as f64);
             let along = Weights::at(ROWS, row as f64 / ALONG as f64);
@@ -332,40 +333,7 @@ fn cut_share(flower: &Flower, time: f64) -> f64 {
             triangles.extend([([a, b, c], petal), ([b, d, c], petal)]);
         }
     }
-    let least = |t: &[Vec3; 3]| t[0].min(t[1]).min(t[2]);
-    let most = |t: &[Vec3; 3]| t[0].max(t[1]).max(t[2]);
-    triangles.sort_by(|a, b| least(&a.0).x.total_cmp(&least(&b.0).x));
-    let mut is_cut = vec![false; triangles.len()];
-    for (k, (one, petal)) in triangles.iter().enumerate() {
-        for (j, (other, another)) in triangles.iter().enumerate().skip(k + 1) {
-            if least(other).x > most(one).x {
-                break;
-            }
-            let apart = least(one).cmpgt(most(other)).any() || least(other).cmpgt(most(one)).any();
-            if petal == another || apart {
-                continue;
-            }
-            let sides = |t: &[Vec3; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
-            let crosses = |from: &[Vec3; 3], into: &[Vec3; 3]| {
-                sides(from).into_iter().any(|[p, q]| pierces(p, q, *into))
-            };
-            if crosses(one, other) || crosses(other, one) {
-                (is_cut[k], is_cut[j]) = (true, true);
-            }
-        }
-    }
-    let area = |t: &[Vec3; 3]| f64::from((t[1] - t[0]).cross(t[2] - t[0]).length());
-    let all: f64 = triangles.iter().map(|t| area(&t.0)).sum();
-    let cut = triangles.iter().zip(&is_cut).filter(|(_, cut)| **cut).map(|(t, _)| area(&t.0));
-    cut.sum::<f64>() / all
-}
-
-/// Whether the straight line from `p` to `q` goes through a triangle.
-fn pierces(p: Vec3, q: Vec3, [a, b, c]: [Vec3; 3]) -> bool {
-    let volume = |a: Vec3, b: Vec3, c: Vec3, d: Vec3| (b - a).cross(c - a).dot(d - a);
-    let sides = [volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)];
-    let through = sides.iter().all(|&v| v > 0.0) || sides.iter().all(|&v| v < 0.0);
-    through && volume(a, b, c, p) * volume(a, b, c, q) < 0.0
+    cut_share(triangles)
 }
 
 #[test]

@@ -27,7 +27,7 @@ pub struct Flower {
 
 /// Corners around the style and the pedicel, and pieces of the latter.
 const SIDES: u32 = 6;
-const PEDICEL: u32 = 7;
+const PEDICEL: u32 = 5;
 
 impl Flower {
     /// Grows a flower from its numbers, `individual` for the chance in it.

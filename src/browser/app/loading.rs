@@ -1,9 +1,9 @@
-//! The texts of bodies: from the host, or those that the page holds.
+//! What is loaded for a link before it grows.
 
-use super::send;
-use crate::browser::controls::load_studio;
-use crate::browser::dom::{document, set_attribute};
-use crate::browser::files;
+use super::super::controls::load_studio;
+use super::super::dom::{document, set_attribute};
+use super::super::files;
+use super::{send, send_to_figures};
 use crate::plants;
 use crate::play::gallery;
 use crate::play::page::Event;
@@ -11,7 +11,7 @@ use crate::surface::unpack;
 
 /// Has a plant of the visitor's own known before its link is read. The studio puts it into the page, and knows
 /// whether it was kept.
-pub fn bring_own(fragment: &str) {
+pub(super) fn bring_own(fragment: &str) {
     let Some(at) = fragment.find(plants::OWN) else { return };
     let key = fragment[at..].split('?').next().unwrap_or_default();
     match files::held(&format!("meshes/{key}.txt")) {
@@ -26,9 +26,8 @@ pub fn bring_own(fragment: &str) {
     }
 }
 
-/// Reads a mesh, for the plant and for the figures.
-pub async fn load_mesh(name: &'static str) {
+pub(super) async fn load_mesh(name: &'static str) {
     let text = files::read_mesh(name).await.map(|packed| unpack(&packed));
-    super::send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
+    send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
     send(Event::Mesh { name, text });
 }

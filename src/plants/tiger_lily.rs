@@ -1,0 +1,119 @@
+//! Tiger lily: raised freckles, denser towards the throat and none at the tips. A freckle is a clone of cells that
+//! divide more than those around it.
+
+use super::paint::{Image, ImageRule, Paint, Pixels};
+use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use crate::surface::Wrap;
+use crate::tissue::CellType::Background;
+use crate::tissue::{Clock, Recipe, Use};
+
+pub const PLANT: Plant = Plant {
+    key: "tiger-lily",
+    name: "Tiger lily",
+    latin: "Lilium lancifolium",
+    source: "",
+    colour_names: ["purple-brown", "orange", ""],
+    recipe: Recipe {
+        initial_cells: 4_000,
+        // Where the image lets them.
+        initial_probability: [0.09, 0.91, 0.0],
+        clock: Clock::Exponential,
+        division_days: [7.5, 14.0, 14.0],
+        mutation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        adhesion: [[0.5, 0.0, 0.0], [0.0, 0.8, 0.0], [0.0, 0.0, 0.0]],
+        radius_scale: 2.0,
+        repulsion: 0.09,
+        initial_relaxations: 20,
+        relaxations_per_day: 6,
+        days: 20,
+        max_cells: 60_000,
+        ..Recipe::DEFAULT
+    },
+    first_day: 20,
+    look: Look {
+        cells: [[0.27, 0.09, 0.11], [0.91, 0.44, 0.16], [0.9, 0.6, 0.3]],
+        tinted: &[(Background, [0.8, 0.27, 0.09])],
+        variation: 0.08,
+        border: 0.1,
+        gloss: 0.25,
+        skin: Skin { raised: [0.35, 0.0, 0.0], through: 0.6, ..Skin::LEAF },
+        veins: false,
+        bare: &[
+            ("filament", [0.85, 0.62, 0.3], 0.1),
+            ("anther", [0.5, 0.2, 0.09], 0.0),
+            ("pistil", [0.8, 0.5, 0.22], 0.3),
+            ("pedicel", [0.3, 0.38, 0.2], 0.2),
+            ("leaf", [0.22, 0.4, 0.17], 0.25),
+        ],
+    },
+    view: View { azimuth_deg: 62.0, elevation_deg: 4.0, zoom: 1.05 },
+    body: Shape {
+        mesh: mesh_file!("tiger_lily.obj"),
+        levels: 2,
+        but: &[
+            Levels { group: "bare:filament", levels: 1 },
+            Levels { group: "bare:anther", levels: 1 },
+            Levels { group: "bare:pistil", levels: 1 },
+        ],
+        growths: Growths::Nothing,
+    },
+    paint: &[FRECKLES, THROAT],
+    guides: None,
+    motion: Motion::STILL,
+};
+
+/// F but for the tips, the more the nearer to the throat.
+const FRECKLES: Paint = Paint {
+    wrap: Wrap::Leaf,
+    image: Image {
+        width: 24,
+        height: 20,
+        rule: ImageRule::Pixels(Pixels {
+            rows: &[
+                "000000000000000000000000",
+                "000000000000000000000000",
+                "000000000000000000000000",
+                "000000000000000000000000",
+                "0000f00000f0f000000f00f0",
+                "00f0f00000000000f00f0000",
+                "0000f0fffff0000000000000",
+                "00ff0f0fffff00f0f0000000",
+                "00ff0f000f0ff0ff00f000f0",
+                "0ff0f0f0ff0ffff0000f0000",
+                "0f0fff0000fffff0000ff0f0",
+                "0f000fff00ffff00ff0f0f00",
+                "00fffff0fffff0ff0f0f00f0",
+                "0f0ffff0f0f0ff00f0fffff0",
+                "0ffffff0fffffffffffffff0",
+                "0fffffffffff0fffffffff00",
+                "0ffffffffffffffffff0fff0",
+                "0ffffff0ff0ffffffffffff0",
+                "0f0ff0fff0f0ffffff0ffff0",
+                "000000000000000000000000",
+            ],
+        }),
+    },
+    use_as: Use::FOREGROUND,
+};
+
+/// Darker towards the throat and along the midrib.
+const THROAT: Paint = Paint {
+    wrap: Wrap::Leaf,
+    image: Image {
+        width: 11,
+        height: 8,
+        rule: ImageRule::Pixels(Pixels {
+            rows: &[
+                "00000100000",
+                "00001310000",
+                "00001410000",
+                "00012521000",
+                "00123632100",
+                "01234743210",
+                "12456865421",
+                "35679a97653",
+            ],
+        }),
+    },
+    use_as: Use::Colour { of: Background },
+};
