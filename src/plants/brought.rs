@@ -1,7 +1,7 @@
 //! Plants of a visitor's own: the text of a body whose first line is the plant that lives on it. Who has the text
 //! knows the plant, as long as the program runs.
 
-use super::words::Words;
+use super::words::{Reader, Words};
 use super::{MeshFile, Plant, Shape, Text};
 use crate::surface::PLAIN;
 use crate::tissue::name_of;
@@ -42,7 +42,7 @@ pub fn bring(text: &str) -> Option<&'static Plant> {
     }
     let words = words.split_terminator('.').map(|word| u32::from_str_radix(word, 16).ok());
     let words: Vec<u32> = words.collect::<Option<_>>()?;
-    let plant = Plant::take(&mut &words[..])?;
+    let plant: Plant = Reader::read(&words)?;
     let key: Text = key.to_string().leak();
     let mesh = MeshFile {
         name: format!("{key}.obj").leak(),

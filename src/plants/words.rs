@@ -16,8 +16,47 @@ use glam::{Vec2, Vec3};
 /// What can be said in words of 32 bits.
 pub trait Words: Sized {
     fn push(&self, words: &mut Vec<u32>);
-    /// Takes it off the front; none where these are no words of ours.
-    fn take(words: &mut &[u32]) -> Option<Self>;
+    /// Takes it off the front. Where these are no words of ours it is anything, and the reader knows: to ask at each
+    /// word whether all is well would be more than half of the reader's bytes.
+    fn take(reader: &mut Reader) -> Self;
+}
+
+/// Words that are read.
+pub struct Reader<'a> {
+    words: &'a [u32],
+    has_failed: bool,
+}
+
+impl Reader<'_> {
+    /// What the words say, all of them; none where they are no words of ours.
+    pub fn read<T: Words>(words: &[u32]) -> Option<T> {
+        let mut reader = Reader { words, has_failed: false };
+        let value = T::take(&mut reader);
+        (!reader.has_failed && reader.words.is_empty()).then_some(value)
+    }
+
+    #[inline(never)]
+    fn word(&mut self) -> u32 {
+        let Some((&first, rest)) = self.words.split_first() else {
+            self.has_failed = true;
+            return 0;
+        };
+        self.words = rest;
+        first
+    }
+
+    /// How many items follow; each has a word at least, but for those that fail.
+    fn length(&mut self) -> usize {
+        let length = self.word() as usize;
+        self.has_failed |= length > self.words.len();
+        length.min(self.words.len())
+    }
+
+    /// One of a few.
+    fn known<T>(&mut self, found: Option<T>, other: T) -> T {
+        self.has_failed |= found.is_none();
+        found.unwrap_or(other)
+    }
 }
 
 impl Words for u32 {
@@ -25,10 +64,8 @@ impl Words for u32 {
         words.push(*self);
     }
 
-    fn take(words: &mut &[u32]) -> Option<u32> {
-        let (&first, rest) = words.split_first()?;
-        *words = rest;
-        Some(first)
+    fn take(reader: &mut Reader) -> u32 {
+        reader.word()
     }
 }
 
@@ -41,24 +78,27 @@ macro_rules! as_another {
                 to(self).push(words);
             }
 
-            fn take(words: &mut &[u32]) -> Option<$type> {
-                let from: fn($other) -> Option<$type> = $from;
-                from(<$other>::take(words)?)
+            fn take(reader: &mut Reader) -> $type {
+                let from: fn(&mut Reader, $other) -> $type = $from;
+                let other = <$other>::take(reader);
+                from(reader, other)
             }
         }
     )*};
 }
 
 as_another! {
-    f32 as u32: |x| x.to_bits(), |x| Some(f32::from_bits(x));
+    f32 as u32: |x| x.to_bits(), |_, x| f32::from_bits(x);
     f64 as [u32; 2]: |x| [(x.to_bits() >> 32) as u32, x.to_bits() as u32],
-        |[high, low]| Some(f64::from_bits(u64::from(high) << 32 | u64::from(low)));
-    bool as u32: |x| u32::from(*x), |x| Some(x != 0);
-    Vec2 as [f32; 2]: |x| x.to_array(), |x| Some(x.into());
-    Vec3 as [f32; 3]: |x| x.to_array(), |x| Some(x.into());
-    CellType as u32: |x| *x as u32, |x| CellType::ALL.get(x as usize).copied();
-    MeshFile as Text: |x| x.name, |name| {
-        all().iter().map(|plant| plant.body.mesh).find(|mesh| mesh.name == name)
+        |_, [high, low]| f64::from_bits(u64::from(high) << 32 | u64::from(low));
+    bool as u32: |x| u32::from(*x), |_, x| x != 0;
+    Vec2 as [f32; 2]: |x| x.to_array(), |_, x| x.into();
+    Vec3 as [f32; 3]: |x| x.to_array(), |_, x| x.into();
+    CellType as u32: |x| *x as u32,
+        |reader, x| reader.known(CellType::ALL.get(x as usize).copied(), CellType::Background);
+    MeshFile as Text: |x| x.name, |reader, name| {
+        let mut meshes = all().iter().map(|plant| plant.body.mesh);
+        reader.known(meshes.find(|mesh| mesh.name == name), all()[0].body.mesh)
     };
 }
 
@@ -68,12 +108,11 @@ impl Words for Text {
         words.extend(self.bytes().map(u32::from));
     }
 
-    fn take(words: &mut &[u32]) -> Option<Text> {
-        let length = u32::take(words)? as usize;
-        let (bytes, rest) = words.split_at_checked(length)?;
-        *words = rest;
-        let bytes = bytes.iter().map(|&byte| byte as u8).collect();
-        Some(String::from_utf8(bytes).ok()?.leak())
+    fn take(reader: &mut Reader) -> Text {
+        let length = reader.length();
+        let bytes = (0..length).map(|_| reader.word() as u8).collect();
+        let text = String::from_utf8(bytes).ok();
+        reader.known(text, String::new()).leak()
     }
 }
 
@@ -83,10 +122,9 @@ impl<T: Words> Words for List<T> {
         self.iter().for_each(|item| item.push(words));
     }
 
-    fn take(words: &mut &[u32]) -> Option<List<T>> {
-        let length = u32::take(words)?;
-        let items: Option<Vec<T>> = (0..length).map(|_| T::take(words)).collect();
-        Some(items?.leak())
+    fn take(reader: &mut Reader) -> List<T> {
+        let length = reader.length();
+        (0..length).map(|_| T::take(reader)).collect::<Vec<T>>().leak()
     }
 }
 
@@ -95,9 +133,8 @@ impl<T: Words, const N: usize> Words for [T; N] {
         self.iter().for_each(|item| item.push(words));
     }
 
-    fn take(words: &mut &[u32]) -> Option<[T; N]> {
-        let items: Option<Vec<T>> = (0..N).map(|_| T::take(words)).collect();
-        items?.try_into().ok()
+    fn take(reader: &mut Reader) -> [T; N] {
+        std::array::from_fn(|_| T::take(reader))
     }
 }
 
@@ -107,12 +144,12 @@ impl<T: Words> Words for Option<T> {
         self.iter().for_each(|item| item.push(words));
     }
 
-    fn take(words: &mut &[u32]) -> Option<Option<T>> {
-        Some(if bool::take(words)? { Some(T::take(words)?) } else { None })
+    fn take(reader: &mut Reader) -> Option<T> {
+        bool::take(reader).then(|| T::take(reader))
     }
 }
 
-/// Rows and records, field by field.
+/// Records, field by field.
 macro_rules! records {
     ($($type:ty { $($field:tt),* })*) => {$(
         impl Words for $type {
@@ -120,8 +157,8 @@ macro_rules! records {
                 $(self.$field.push(words);)*
             }
 
-            fn take(words: &mut &[u32]) -> Option<$type> {
-                Some(Self { $($field: Words::take(words)?),* })
+            fn take(reader: &mut Reader) -> $type {
+                Self { $($field: Words::take(reader)),* }
             }
         }
     )*};
@@ -161,8 +198,8 @@ impl<A: Words, B: Words> Words for (A, B) {
         self.1.push(words);
     }
 
-    fn take(words: &mut &[u32]) -> Option<(A, B)> {
-        Some((A::take(words)?, B::take(words)?))
+    fn take(reader: &mut Reader) -> (A, B) {
+        (A::take(reader), B::take(reader))
     }
 }
 
@@ -173,14 +210,14 @@ impl<A: Words, B: Words, C: Words> Words for (A, B, C) {
         self.2.push(words);
     }
 
-    fn take(words: &mut &[u32]) -> Option<(A, B, C)> {
-        Some((A::take(words)?, B::take(words)?, C::take(words)?))
+    fn take(reader: &mut Reader) -> (A, B, C) {
+        (A::take(reader), B::take(reader), C::take(reader))
     }
 }
 
 /// One of several: its number, and what it has.
 macro_rules! choices {
-    ($($type:ident { $($number:literal: $variant:ident { $($field:tt: $name:ident),* }),* })*) => {$(
+    ($($type:ident or $other:expr; { $($number:literal: $variant:ident { $($field:tt: $name:ident),* }),* })*) => {$(
         impl Words for $type {
             fn push(&self, words: &mut Vec<u32>) {
                 match self {
@@ -191,28 +228,28 @@ macro_rules! choices {
                 }
             }
 
-            fn take(words: &mut &[u32]) -> Option<$type> {
-                Some(match u32::take(words)? {
-                    $($number => $type::$variant { $($field: Words::take(words)?),* },)*
-                    _ => return None,
-                })
+            fn take(reader: &mut Reader) -> $type {
+                match reader.word() {
+                    $($number => $type::$variant { $($field: Words::take(reader)),* },)*
+                    _ => reader.known(None, $other),
+                }
             }
         }
     )*};
 }
 
 choices! {
-    Growths { 0: Nothing {}, 1: Spines {}, 2: Moss {} }
-    Wrap { 0: Cylinder { 0: cylinder }, 1: Leaf {}, 2: Veins { 0: along } }
-    ImageRule { 0: Grain { 0: rule }, 1: Stripes { 0: rule }, 2: Belts { 0: rule }, 3: Blaze { 0: rule },
+    Growths or Growths::Nothing; { 0: Nothing {}, 1: Spines {}, 2: Moss {} }
+    Wrap or Wrap::Leaf; { 0: Cylinder { 0: cylinder }, 1: Leaf {}, 2: Veins { 0: along } }
+    ImageRule or ImageRule::Pixels(Pixels { rows: &[] }); { 0: Grain { 0: rule }, 1: Stripes { 0: rule }, 2: Belts { 0: rule }, 3: Blaze { 0: rule },
         4: Warts { 0: rule }, 5: Rims { 0: rule }, 6: Margins { 0: rule }, 7: Bands { 0: rule },
         8: Pixels { 0: rule } }
-    Use { 0: FirstCells { of: of, instead: instead }, 1: Scale { number: number, black: black, white: white },
+    Use or Use::FOREGROUND; { 0: FirstCells { of: of, instead: instead }, 1: Scale { number: number, black: black, white: white },
         2: Colour { of: of } }
-    Scaled { 0: DivisionDays { 0: kind }, 1: RadiusScale {}, 2: Repulsion {}, 3: Adhesion { 0: a, 1: b } }
-    GuideVector { 0: OnLeaves { at: at, direction: direction },
+    Scaled or Scaled::Repulsion; { 0: DivisionDays { 0: kind }, 1: RadiusScale {}, 2: Repulsion {}, 3: Adhesion { 0: a, 1: b } }
+    GuideVector or GuideVector::OnLeaves { at: Vec2::ZERO, direction: Vec2::ZERO }; { 0: OnLeaves { at: at, direction: direction },
         1: Near { point_cm: point, direction: direction }, 2: AlongVeins { order: order } }
-    Clock { 0: Poisson {}, 1: Exponential {} }
+    Clock or Clock::Poisson; { 0: Poisson {}, 1: Exponential {} }
 }
 
 #[cfg(test)]
@@ -224,12 +261,12 @@ mod tests {
         for plant in all() {
             let mut words = Vec::new();
             plant.push(&mut words);
-            let mut rest = &words[..];
-            assert_eq!(Plant::take(&mut rest).as_ref(), Some(plant), "{}", plant.key);
-            assert!(rest.is_empty());
+            assert_eq!(Reader::read::<Plant>(&words).as_ref(), Some(plant), "{}", plant.key);
             for cut in 0..words.len() {
-                assert_eq!(Plant::take(&mut &words[..cut]), None, "{} words", cut);
+                assert_eq!(Reader::read::<Plant>(&words[..cut]), None, "{cut} words");
             }
+            words.push(0);
+            assert_eq!(Reader::read::<Plant>(&words), None, "a word too many");
         }
     }
 
@@ -245,8 +282,8 @@ mod tests {
         );
         let mut words = Vec::new();
         all.push(&mut words);
-        assert_eq!(Words::take(&mut &words[..]), Some(all));
-        assert_eq!(Text::take(&mut &[u32::MAX, 1][..]), None);
-        assert_eq!(Clock::take(&mut &[2][..]), None);
+        assert_eq!(Reader::read(&words), Some(all));
+        assert_eq!(Reader::read::<Text>(&[u32::MAX, 1]), None);
+        assert_eq!(Reader::read::<Clock>(&[2]), None);
     }
 }
