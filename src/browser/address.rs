@@ -28,10 +28,17 @@ pub fn wanted() -> String {
     beside(&hash()).to_string()
 }
 
-/// Marks how much of the page there is, by `~ui=play` or `~ui=none` in its address; without it, all.
+/// Marks how much of the page there is, by `~ui=play` or `~ui=none` at the end of its address; without it, all.
+/// The boot bundle does that, too: to search the address would be more bytes than the rest of this.
 pub fn mark_ui() {
+    let hash = hash();
+    let ui = match () {
+        () if hash.ends_with("~ui=play") => "play",
+        () if hash.ends_with("~ui=none") => "none",
+        () => "full",
+    };
     if let Some(root) = document().document_element() {
-        set_attribute(&root, "data-ui", wanted().strip_prefix(UI).unwrap_or("full"));
+        set_attribute(&root, "data-ui", ui);
     }
 }
 

@@ -2,13 +2,13 @@
 //! the document into agreement with it.
 
 mod frame;
+mod loading;
 
 use super::address::{fragment, mark_ui, push_link, wanted, with_fragment, write_link};
 use super::card::Card;
 use super::chooser::Chooser;
 use super::controls::{Controls, load_studio};
-use super::dom::{Listener, document, on, set_attribute, window};
-use super::files;
+use super::dom::{Listener, document, on, window};
 use super::fingers::Fingers;
 use super::frames::Frames;
 use super::gallery::{Bookmark, Gallery};
@@ -33,8 +33,8 @@ use crate::play::gallery;
 use crate::play::page::{Effect, Event, Page, State};
 use crate::play::parameters::Parameter;
 use crate::play::series::asked_view;
-use crate::surface::unpack;
 use glam::Vec2;
+use loading::{bring_own, load_mesh};
 use std::cell::RefCell;
 use wasm_bindgen_futures::spawn_local;
 
@@ -388,27 +388,4 @@ impl App {
             offline::keep_page();
         }
     }
-}
-
-/// Has a plant of the visitor's own known before its link is read. The studio puts it into the page, and knows
-/// whether it was kept.
-fn bring_own(fragment: &str) {
-    let Some(at) = fragment.find(plants::OWN) else { return };
-    let key = fragment[at..].split('?').next().unwrap_or_default();
-    match files::held(&format!("meshes/{key}.txt")) {
-        Some(text) => {
-            plants::bring(&text);
-        }
-        None => {
-            let root = document().document_element().expect("a document has a root");
-            set_attribute(&root, "data-own", fragment);
-            load_studio("own");
-        }
-    }
-}
-
-async fn load_mesh(name: &'static str) {
-    let text = files::read_mesh(name).await.map(|packed| unpack(&packed));
-    send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
-    send(Event::Mesh { name, text });
 }

@@ -41,7 +41,7 @@ impl Chooser {
                 let radio: HtmlInputElement = within(&label, "input");
                 radio.set_value(plant.key);
                 set_text(&within(&label, ".name"), plant.name);
-                let words = format!("{} {} {name}", plant.name, plant.latin).to_lowercase();
+                let words = format!("{} {} {name}", plant.name, plant.latin).to_ascii_lowercase();
                 set_attribute(&label, WORDS, words);
                 let picture: Element = within(&label, "img");
                 listeners.push(mark_when_missing(&picture));
@@ -58,7 +58,7 @@ impl Chooser {
         }));
         let (search, among) = (find::<HtmlInputElement>("find"), list.clone());
         listeners.push(on(&search.clone(), "input", move |_: web_sys::Event| {
-            let found = show_found(&among, &search.value().trim().to_lowercase());
+            let found = show_found(&among, &search.value().trim().to_ascii_lowercase());
             let told = if found { "" } else { "No plant is called that." };
             set_text(&find::<Element>("not-found"), told);
         }));

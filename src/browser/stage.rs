@@ -6,6 +6,7 @@ use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
 use super::files;
 use crate::draw::{DrawError, Frame, Renderer};
+use crate::plants::OWN;
 use crate::play::camera::Camera;
 use crate::play::clone::ClanMap;
 use crate::play::detail::Detail;
@@ -321,7 +322,10 @@ impl Stage {
     fn show_poster(&self, shown: &Shown) {
         let live = matches!(self.graphics, Graphics::Running(_)) && self.handed.has_cells();
         set_flag(&self.element, "data-live", live);
-        if !live {
+        if shown.plant.starts_with(OWN) {
+            // Nobody drew one of a plant that a visitor brought.
+            set_flag(&self.poster, "data-missing", true);
+        } else if !live {
             let address = files::address(&format!("posters/{}.avif", shown.plant));
             if self.poster.get_attribute("src").as_deref() != Some(&address) {
                 set_flag(&self.poster, "data-missing", false);

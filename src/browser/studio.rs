@@ -6,6 +6,7 @@ mod bring_in;
 mod charts;
 mod class;
 mod files;
+mod fit;
 mod leaflet;
 mod lessons;
 mod own;
@@ -28,6 +29,7 @@ use crate::play::series::asked_view;
 use bring_in::BringIn;
 use charts::ChartView;
 use class::ClassDialog;
+use fit::FitView;
 use lessons::LessonView;
 use presenter::Presenter;
 use pupils::Pupils;
@@ -50,8 +52,11 @@ struct Studio {
     bring_in: BringIn,
     /// What opens the file that was brought last.
     opening: Option<Work>,
+    /// What is to be told of it when the page shows it.
+    to_tell: Option<String>,
     charts: ChartView,
     series: Series,
+    fit: FitView,
     class: ClassDialog,
     presenter: Presenter,
     pupils: Pupils,
@@ -70,6 +75,7 @@ pub fn start() {
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/bring_in.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/series.html"));
+    let _ = body.insert_adjacent_html("beforeend", include_str!("studio/fit.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/lessons.html"));
@@ -79,8 +85,10 @@ pub fn start() {
         take_away: TakeAway::new(),
         bring_in: BringIn::new(),
         opening: None,
+        to_tell: None,
         charts: ChartView::new(),
         series: Series::new(),
+        fit: FitView::new(),
         class: ClassDialog::new(),
         presenter: Presenter::new(),
         pupils: Pupils::new(),
@@ -95,7 +103,12 @@ pub fn start() {
             open(&door.unchecked_into::<Element>().id());
         }
     }));
-    std::mem::forget(on(&window(), "hashchange", |_: Event| follow()));
+    std::mem::forget(on(&window(), "hashchange", |_: Event| {
+        follow();
+        // The page has heard of it before, and has taken away what it told of the plant before.
+        let told = STUDIO.with_borrow_mut(|studio| studio.as_mut()?.to_tell.take());
+        told.iter().for_each(|text| files::tell(text));
+    }));
     files::take_what_is_dropped();
     leaflet::print_code();
     pictures::listen();
@@ -123,6 +136,7 @@ fn open(door: &str) {
         "bring-in" => studio.bring_in.open(),
         "charts" => studio.charts.toggle(),
         "series" => studio.series.open(),
+        "fit" => studio.fit.open(),
         "class" => studio.class.open(),
         "lessons" => studio.lessons.open(),
         "tour" => presenter::after(0, tour::open),

@@ -20,8 +20,8 @@ pub struct Timeline {
     play: Element,
     notice: Element,
     strip: Element,
-    /// Growth, newest, shown and last day that the strip shows.
-    in_strip: Option<[u32; 4]>,
+    /// Growth, newest, shown and last day that the strip shows, and in which colours.
+    in_strip: Option<([u32; 4], [[f32; 3]; 3])>,
     _listeners: Vec<Listener>,
 }
 
@@ -106,11 +106,13 @@ impl Timeline {
         );
         set_flag(&self.play, "data-playing", playhead.is_playing());
         set_text(&self.notice, &page.notice());
-        let in_strip = run.newest().map(|newest| [run.generation, newest, shown, last_day]);
+        let colours = page.scene().look.cells;
+        let in_strip =
+            run.newest().map(|newest| ([run.generation, newest, shown, last_day], colours));
         if in_strip != self.in_strip {
             self.in_strip = in_strip;
             set_attribute(&self.strip, "viewBox", format!("0 0 {last_day} 1000"));
-            self.strip.set_inner_html(&strip(run, &run.scene.look.cells, shown));
+            self.strip.set_inner_html(&strip(run, &colours, shown));
         }
     }
 }

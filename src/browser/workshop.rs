@@ -3,7 +3,7 @@
 //! the studio shows.
 
 use super::studio::wish;
-use crate::export::{Kind, Order, measured, write_picture, write_zip};
+use crate::export::{Fit, Kind, Order, Want, grown, measured, write_picture, write_zip};
 use crate::import::{Own, Part, Photo, link_of_file, of_document, of_mesh, palette, types};
 use crate::plants::{self, Plant};
 use crate::play::lesson::Measure;
@@ -31,6 +31,7 @@ pub fn listen() {
                 wish::PHOTO => photo(&link, &mesh, &wish.get(3).unchecked_into()),
                 wish::OPEN => link_of_file(&bytes(), &scene_of(&link)).map(|link| array(&link)),
                 wish::OWN => own(&link, &mesh, &wish.get(3).unchecked_into()),
+                wish::FIT => fit(&link, &mesh, &name),
                 wish::MEASURE => measure(&link, &mesh, &name),
                 _ => number(&link, &mesh),
             },
@@ -156,6 +157,28 @@ fn measure(link: &str, mesh: &str, wish: &str) -> Result<JsValue, String> {
             for day in which.split(',').filter_map(|day| day.parse().ok()) {
                 grow(Scene { day, ..scene.clone() })?;
             }
+        }
+    }
+    Ok(Array::new().into())
+}
+
+/// Looks for the numbers of the individual that is there.
+fn fit(link: &str, mesh: &str, wish: &str) -> Result<JsValue, String> {
+    let scene = scene_of(link);
+    let wants = Want::read(wish, &scene)?;
+    let body = scene.plant.body.grow(&unpack(mesh)).map_err(|e| e.to_string())?;
+    let mut fit = Fit::new(scene.clone(), wants.clone(), Fit::numbers_of(&wants, &scene));
+    while let Some(scene) = fit.next_scene().filter(|_| fit.tries() <= wish::MOST_TRIES) {
+        post(&(fit.tries() as u32).into());
+        let values = match grown(&scene, &wants, body.clone()) {
+            Err(why) if fit.tries() == 1 => return Err(why),
+            values => values.ok(),
+        };
+        let link = link::write(&scene);
+        if let (true, Some(values)) = (fit.tell(scene, values.as_deref()), &values) {
+            let told = wants.iter().zip(values).map(|(want, &value)| want.measure.told(value));
+            let told = told.collect::<Vec<_>>().join(", ");
+            post(&Array::of2(&told.into(), &link.into()).into());
         }
     }
     Ok(Array::new().into())

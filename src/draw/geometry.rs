@@ -103,11 +103,8 @@ impl Geometry {
 
 impl Bounds {
     fn of(body: &Body) -> Bounds {
-        let low = body.corners().fold(Vec3::INFINITY, Vec3::min);
-        let high = body.corners().fold(Vec3::NEG_INFINITY, Vec3::max);
-        let centre = (low + high) / 2.0;
-        let radius2 = body.corners().map(|p| p.distance_squared(centre)).fold(0.0, f32::max);
-        Bounds { centre, radius: radius2.sqrt(), lowest: low.y }
+        let (centre, radius, lowest) = body.ball();
+        Bounds { centre, radius, lowest }
     }
 
     /// Centre of the ground disc and its radius. The ground is the plane y = 0, or lies just under

@@ -7,14 +7,42 @@ use super::order::Order;
 use crate::play::Scene;
 use crate::play::lesson::Measure;
 use crate::play::parameters::Parameter;
-use crate::surface::{Body, Charts};
-use crate::tissue::Progress;
+use crate::surface::{Body, Charts, decimal, quoted};
+use crate::tissue::{CellType, Progress};
 
 /// What is wanted: a measure and its value, shares in 100.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Want {
     pub measure: Measure,
     pub value: f64,
+}
+
+impl Want {
+    /// Reads `share=0.4,patches=200`: measures, of F where no type is named, as in `share-B`, and shares from 0 to 1.
+    ///
+    /// # Errors
+    /// In plain words, what of it cannot be wanted.
+    pub fn read(text: &str, scene: &Scene) -> Result<Vec<Want>, String> {
+        let of_one = |pair: &str| {
+            let refuse = |why: &str| format!("{}: {why}", quoted(pair));
+            let (word, value) = pair.split_once('=').ok_or_else(|| refuse("it says no value"))?;
+            let words = word.replace('-', " ");
+            let measure = Measure::of_words(&words)
+                .or_else(|| Measure::of_words(&format!("{words} F")))
+                .ok_or_else(|| refuse(Measure::KNOWN))?;
+            let value = decimal(value).filter(|value| value.is_finite() && *value >= 0.0);
+            let value = value.ok_or_else(|| refuse("it must be a number from 0 on"))?;
+            if measure.is_share() && value > 1.0 {
+                return Err(refuse("a share is from 0 to 1"));
+            }
+            if measure.name(scene.plant).starts_with(' ') {
+                return Err(refuse("this plant has no cells of that type"));
+            }
+            let value = if measure.is_share() { 100.0 * value } else { value };
+            Ok(Want { measure, value })
+        };
+        text.split(',').map(of_one).collect()
+    }
 }
 
 /// The first step and the last one, as shares of the way from a number's least value to its greatest.
@@ -43,20 +71,29 @@ impl Fit {
         Fit { wants, numbers, best, scene, step, way: 0, has_helped: false, tried }
     }
 
-    /// The numbers that decide a measure most, by their words in links.
-    pub fn numbers_of(measure: Measure) -> &'static [&'static str] {
-        match measure {
-            Measure::Cells | Measure::Count(_) => &["n", "df", "db"],
-            Measure::Share(_) | Measure::Area(_) => &["pf"],
-            Measure::Patches(_) | Measure::Clans => &["n", "fb"],
-            Measure::Largest(_) | Measure::Mixed => &["fb", "rs"],
-            Measure::Spots | Measure::SingleSpots => &["mbf", "db"],
-            Measure::LargestClan => &["n"],
+    /// The numbers of a plant that decide most of what is wanted.
+    pub fn numbers_of(wants: &[Want], scene: &Scene) -> Vec<&'static Parameter> {
+        let keys = |want: &Want| -> &[&str] {
+            match want.measure {
+                Measure::Cells | Measure::Count(_) => &["n", "df", "db"],
+                Measure::Share(CellType::Middle) | Measure::Area(CellType::Middle) => &["pm"],
+                Measure::Share(_) | Measure::Area(_) => &["pf"],
+                Measure::Patches(_) | Measure::Clans => &["n", "fb"],
+                Measure::Largest(_) | Measure::Mixed => &["fb", "rs"],
+                Measure::Spots | Measure::SingleSpots => &["mbf", "db"],
+                Measure::LargestClan => &["n"],
+            }
+        };
+        let mut numbers: Vec<&Parameter> = Vec::new();
+        for key in wants.iter().flat_map(keys) {
+            let number = Parameter::of_key(key).filter(|number| number.is_for(scene.plant));
+            numbers.extend(number.filter(|number| numbers.iter().all(|p| p.key != number.key)));
         }
+        numbers
     }
 
     /// The scene to try next; none at the end of the search.
-    pub fn next(&mut self) -> Option<Scene> {
+    pub fn next_scene(&mut self) -> Option<Scene> {
         if self.best.is_none() {
             self.tried.push(self.values(&self.scene));
             return Some(self.scene.clone());
@@ -116,7 +153,7 @@ impl Fit {
     fn stepped(&mut self) -> Option<Scene> {
         let (best, _) = self.best.as_ref()?;
         let number = self.numbers[self.way / 2];
-        let sign = if self.way % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if self.way.is_multiple_of(2) { 1.0 } else { -1.0 };
         let at = place(number, number.get(best)) + sign * self.step;
         let mut scene = best.clone();
         number.set(&mut scene, value(number, at.clamp(0.0, 1.0))).ok()?;
@@ -199,7 +236,7 @@ mod tests {
     use super::*;
     use crate::plants;
     use crate::play::link;
-    use crate::tissue::CellType::Foreground as F;
+    use CellType::Foreground as F;
 
     fn fit(wants: &[(Measure, f64)], keys: &[&str]) -> Fit {
         let scene = link::read("croton-shrub?v=1&s=1&d=6&n=500", plants::all()).scene;
@@ -211,7 +248,7 @@ mod tests {
     /// Searches where a law says what comes of a scene.
     fn search(fit: &mut Fit, law: impl Fn(&Scene) -> Option<Vec<f64>>) -> Vec<f64> {
         let mut better = Vec::new();
-        while let Some(scene) = fit.next() {
+        while let Some(scene) = fit.next_scene() {
             let values = law(&scene);
             if fit.tell(scene, values.as_deref()) {
                 better.push(fit.best().unwrap().1);

@@ -343,8 +343,7 @@ mod tests {
 
     #[test]
     fn a_picture_of_one_colour_is_refused_in_words() {
-        for pixels in [vec![90, 120, 60, 255].repeat(SIDE * SIDE), vec![0; 4 * SIDE * SIDE], vec![]]
-        {
+        for pixels in [[90, 120, 60, 255].repeat(SIDE * SIDE), vec![0; 4 * SIDE * SIDE], vec![]] {
             let why = palette(Photo { width_px: SIDE, pixels: &pixels }, 2).unwrap_err();
             assert!(why.contains("too few colours"), "{why}");
         }

@@ -53,10 +53,7 @@ pub struct Camera {
 impl Sphere {
     /// The ball around the box around a body with all its bare parts, at all its moments.
     pub fn around(body: &Body) -> Sphere {
-        let low = body.corners().fold(Vec3::INFINITY, Vec3::min);
-        let high = body.corners().fold(Vec3::NEG_INFINITY, Vec3::max);
-        let centre = (low + high) * 0.5;
-        let radius = body.corners().map(|p| p.distance(centre)).fold(0.0, f32::max);
+        let (centre, radius, _) = body.ball();
         Sphere { centre, radius }
     }
 }

@@ -55,11 +55,10 @@ pub fn change(before: &Moment, now: &Moment) -> String {
     }
     let changed: Vec<_> = PARAMETERS.iter().filter(|p| p.get(was) != p.get(is)).collect();
     match changed.len() {
-        0..=NAMED => acts.extend(
-            changed
-                .iter()
-                .map(|p| format!("{} from {} to {}", p.label(plant), p.get(was), p.get(is))),
-        ),
+        0..=NAMED => acts.extend(changed.iter().map(|p| {
+            let [from, to] = [was, is].map(|scene| p.said(p.get(scene)));
+            format!("{} from {from} to {to}", p.label(plant))
+        })),
         many => acts.push(format!("{many} numbers changed")),
     }
     let mut sentences = Vec::new();
@@ -171,7 +170,7 @@ mod tests {
                 "croton?v=1&s=7&d=11&pf=0.4",
                 1001,
                 361,
-                "First cells that are yellow from 0.19 to 0.4, day 11: 1,001 cells, 36% yellow, of the area 32% \
+                "First cells that are yellow from 0.19 share to 0.4 share, day 11: 1,001 cells, 36% yellow, of the area 32% \
                  yellow; as much yellow as before.",
             ),
             (

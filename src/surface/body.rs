@@ -105,14 +105,29 @@ impl Body {
         }
     }
 
-    /// Where a corner of it ever is, at all its moments.
-    pub fn corners(&self) -> impl Iterator<Item = Vec3> {
-        let bare = self.ornaments.iter().map(|part| (&part.positions, &part.motion));
-        let parts = [(&self.surface.positions, &self.surface.motion)].into_iter().chain(bare);
-        parts.flat_map(|(positions, motion)| {
-            let moments = motion.moments().iter().flat_map(|moment| &moment.positions);
-            positions.iter().chain(moments).copied()
-        })
+    /// The ball around the box around it with all its bare parts, at all its moments: its centre, its radius, and
+    /// how low it reaches.
+    pub fn ball(&self) -> (Vec3, f32, f32) {
+        let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        self.visit(&mut |p| (low, high) = (low.min(p), high.max(p)));
+        let centre = (low + high) * 0.5;
+        let mut squared = 0.0f32;
+        self.visit(&mut |p| squared = squared.max(p.distance_squared(centre)));
+        (centre, squared.sqrt(), low.y)
+    }
+
+    /// Visits where its corners ever are.
+    fn visit(&self, visit: &mut dyn FnMut(Vec3)) {
+        let mut of = |positions: &[Vec3], motion: &Motion| {
+            positions.iter().for_each(|&p| visit(p));
+            for moment in motion.moments() {
+                moment.positions.iter().for_each(|&p| visit(p));
+            }
+        };
+        of(&self.surface.positions, &self.surface.motion);
+        for part in &self.ornaments {
+            of(&part.positions, &part.motion);
+        }
     }
 
     /// No pattern where a control image is black (Thesis 3.2.3): the triangles whose centres lie

@@ -6,7 +6,7 @@
 
 use super::{Face, Group, Line, Moment, PolygonMesh};
 use glam::Vec2;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::ops::{Add, Mul};
 
 impl PolygonMesh {
@@ -63,17 +63,20 @@ impl PolygonMesh {
     /// These faces alone, with the vertices that they use.
     fn cut_out(&self, faces: &[&Face]) -> PolygonMesh {
         let mut cut = self.empty();
-        let mut numbers = HashMap::new();
+        const UNUSED: u32 = u32::MAX;
+        let mut numbers = vec![UNUSED; self.positions.len()];
         for face in faces {
             let vertices = face.vertices.iter().map(|&old| {
-                *numbers.entry(old).or_insert_with(|| {
+                let number = &mut numbers[old as usize];
+                if *number == UNUSED {
+                    *number = cut.positions.len() as u32;
                     cut.positions.push(self.positions[old as usize]);
                     cut.uvs.extend(self.uvs.get(old as usize));
                     for (moment, whole) in cut.moments.iter_mut().zip(&self.moments) {
                         moment.positions.push(whole.positions[old as usize]);
                     }
-                    cut.positions.len() as u32 - 1
-                })
+                }
+                *number
             });
             cut.faces.push(Face { vertices: vertices.collect(), group: face.group });
         }
@@ -140,7 +143,8 @@ struct Edge {
 impl Net {
     fn new(faces: &[Face]) -> Net {
         let mut net = Net { faces: Vec::new(), face_edges: Vec::new(), edges: Vec::new() };
-        let mut numbers = HashMap::new();
+        // For each vertex the edges to later ones, few, with their numbers.
+        let mut edges_of: Vec<Vec<(u32, u32)>> = Vec::new();
         for face in faces {
             let mut vertices = face.vertices.clone();
             vertices.dedup();
@@ -154,10 +158,18 @@ impl Net {
             let face_edges = (0..corners).map(|k| {
                 let (a, b) = (vertices[k], vertices[(k + 1) % corners]);
                 let ends = [a.min(b), a.max(b)];
-                let number = *numbers.entry(ends).or_insert(net.edges.len() as u32);
-                if number as usize == net.edges.len() {
-                    net.edges.push(Edge { ends, faces: Vec::with_capacity(2) });
+                if edges_of.len() <= ends[0] as usize {
+                    edges_of.resize(ends[0] as usize + 1, Vec::new());
                 }
+                let known = &mut edges_of[ends[0] as usize];
+                let number = match known.iter().find(|(end, _)| *end == ends[1]) {
+                    Some(&(_, number)) => number,
+                    None => {
+                        net.edges.push(Edge { ends, faces: Vec::with_capacity(2) });
+                        known.push((ends[1], net.edges.len() as u32 - 1));
+                        net.edges.len() as u32 - 1
+                    }
+                };
                 net.edges[number as usize].faces.push(net.faces.len() as u32);
                 number
             });

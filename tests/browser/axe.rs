@@ -58,6 +58,11 @@ fn no_view_breaks_a_rule() {
     page.run("document.querySelector('#bring-in-dialog .found').hidden = false");
     all_rules("what is brought in");
     page.run("document.getElementById('bring-in-dialog').close()");
+    page.click("fit");
+    page.wait_for("the dialog", "return document.getElementById('fit-dialog').open");
+    page.run("document.querySelectorAll('#fit-dialog [hidden]').forEach(part => { part.hidden = false })");
+    all_rules("what numbers are looked for");
+    page.run("document.getElementById('fit-dialog').close()");
     page.click("series");
     page.wait_for("the dialog", "return document.getElementById('series-dialog').open");
     all_rules("what is asked side by side");

@@ -1,9 +1,12 @@
-//! What is brought in: the colours of a photograph.
+//! What is brought in: the colours of a photograph, bodies and documents.
 
 use crate::engines::Graphics;
 use crate::page::Page;
 use clonal_mosaic::plants;
-use clonal_mosaic::play::link;
+use clonal_mosaic::play::{Scene, link};
+use clonal_mosaic::surface::{Brought, PolygonMesh};
+use clonal_mosaic::tissue::{Growth, Progress, Recipe};
+use std::sync::Arc;
 
 /// A photograph, drawn by hand: stripes of two colours on white, three of ten pixels of the first.
 fn photograph([first, second]: [[u8; 3]; 2]) -> Vec<u8> {
@@ -25,11 +28,18 @@ fn photograph([first, second]: [[u8; 3]; 2]) -> Vec<u8> {
     png
 }
 
+fn open_dialog(page: &Page) {
+    page.click("bring-in");
+    let is_open = "const d = document.getElementById('bring-in-dialog'); return !!(d && d.open)";
+    page.wait_for("the dialog", is_open);
+}
+
 #[test]
 fn a_plant_takes_the_colours_of_a_photograph_and_gives_them_back() {
     let before = "croton?v=1&s=2&d=1";
     let Some(page) = Page::open(Graphics::WebGpu, &format!("#{before}")) else { return };
     page.on_day(1);
+    open_dialog(&page);
     page.drop("leaf.png", "image/png", &photograph([[230, 120, 200], [30, 60, 120]]));
     let found = "return [...document.querySelectorAll('#bring-in-dialog .colours li')].length === 2
                      && !document.querySelector('#bring-in-dialog .found').hidden";
@@ -80,4 +90,70 @@ fn a_colour_is_picked_in_the_panel() {
     let picture = page.picture();
     let blue = picture.rgb.iter().filter(|[r, g, b]| *b > 100 && b / 2 > *r.max(g));
     assert!(blue.count() > 2000, "blue cells are seen");
+}
+
+/// The fingerprint of the last day.
+fn fingerprint(mut growth: Growth) -> String {
+    while !matches!(growth.step(), Progress::Done | Progress::Full) {}
+    growth.diary.fingerprint(growth.diary.days.len() - 1)
+}
+
+#[test]
+fn a_body_of_ones_own_grows_as_in_a_shell_and_is_kept() {
+    let base = "croton-shrub?v=1&s=3&d=1&n=400&days=2";
+    let Some(page) = Page::open(Graphics::WebGpu, &format!("#{base}")) else { return };
+    page.on_day(1);
+    open_dialog(&page);
+    page.run("document.getElementById('keep-own').click()");
+    let corner = "v 4 4 4\nv 4 -4 -4\nv -4 4 -4\nv -4 -4 4\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n";
+    let ball = PolygonMesh::parse(corner).unwrap().refined(4).to_obj();
+    page.drop("ball.obj", "", ball.as_bytes());
+    let own =
+        page.wait("a plant of one's own", |s| s.plant.starts_with("own-") && s.state == "ready");
+    let (link, day): (String, u32) = (page.link(), own.day.parse().unwrap());
+    let recipe = link::read(base, plants::all()).scene.recipe;
+    let mesh = Arc::new(Brought::read(ball.as_bytes()).unwrap().body.surface);
+    let triangles = mesh.triangles.len();
+    let growth = Growth::new(mesh, Recipe { days: day, ..recipe }, &[], 1).unwrap();
+    assert_eq!(own.fingerprint, fingerprint(growth));
+    let told = format!("ball.obj: {triangles} triangles");
+    assert!(page.messages().contains(&told), "{}", page.messages());
+    assert_eq!(page.text("name"), "ball");
+
+    // It opens again by its link, as it was to be kept.
+    page.run("location.reload()");
+    let again = page.wait("the kept plant", |s| s.plant == own.plant && s.state == "ready");
+    assert_eq!((again.fingerprint, page.link()), (own.fingerprint, link));
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
+fn a_document_of_ones_own_grows_and_what_cannot_is_told() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#croton?v=1&s=1&d=1") else { return };
+    page.on_day(1);
+    open_dialog(&page);
+    let leaf = plants::find("begonia").unwrap();
+    let document = leaf.to_json().replace("\"name\": \"", "\"name\": \"My ");
+    page.drop("mine.mosaic.json", "application/json", document.as_bytes());
+    let own =
+        page.wait("a plant of one's own", |s| s.plant.starts_with("own-") && s.state == "ready");
+    let day = own.day.parse().unwrap();
+    let preset = Scene::preset(leaf, 1);
+    let surface = Arc::new(leaf.embedded_body().surface);
+    let growth = leaf.sow(surface, Recipe { days: day, ..preset.recipe.clone() }, 1).unwrap();
+    assert_eq!((own.fingerprint, preset.day), (fingerprint(growth), day));
+
+    for (name, content, why) in [
+        ("a.glb", &b"glTF\x02\0\0\0"[..], "this is a GLB file"),
+        ("b.json", b"{\"mosaic_plant\": 1}", "missing field"),
+        ("c.obj", b"v 0 0 0\n", "the OBJ file has no faces"),
+    ] {
+        page.drop(name, "", content);
+        let told =
+            format!("return document.getElementById('messages').innerText.includes('{name}: ')");
+        page.wait_for(name, &told);
+        assert!(page.messages().contains(why), "{}", page.messages());
+    }
+    assert_eq!(page.state().plant, own.plant);
+    assert_eq!(page.complaints(), [""; 0]);
 }

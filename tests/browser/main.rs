@@ -16,6 +16,7 @@ mod engines;
 mod fields;
 mod figures;
 mod fingers;
+mod fit;
 mod graphics;
 mod hosts;
 mod icons;

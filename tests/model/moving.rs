@@ -186,7 +186,10 @@ fn refined_moments_are_those_of_the_refined_mesh() {
     let folded = |part: &[Vec3]| part.iter().map(|p| p.z).fold(0.0, f32::max);
     assert!(folded(&first.surface.positions) > 0.5 && folded(&body.surface.positions) == 0.0);
     assert_eq!(folded(&first.ornaments[0].positions), 1.0);
-    assert_eq!(body.corners().map(|p| p.z).fold(0.0, f32::max), 3.0);
+    // From the foot to the upright stalk, and as low as the leaf is when it is folded.
+    let (centre, radius, lowest) = body.ball();
+    assert_eq!((centre, lowest), (Vec3::new(1.0, 1.0, 1.5), 0.0));
+    assert!((radius - Vec3::new(1.0, 1.0, 1.5).length()).abs() < 1e-5);
 }
 
 #[test]

@@ -5,7 +5,6 @@ use super::output::say;
 use super::progress::Progress;
 use super::{Refusal, cores, memory, subject};
 use clonal_mosaic::export::{Fit, Want, grown};
-use clonal_mosaic::play::lesson::Measure;
 use clonal_mosaic::play::parameters::Parameter;
 use clonal_mosaic::play::{Scene, link};
 use clonal_mosaic::surface::{Body, quoted};
@@ -16,13 +15,13 @@ use std::thread;
 pub fn fit(options: &FitOptions) -> Result<(), Refusal> {
     let scene = subject::scene(options.source(), options.day)?;
     memory::check(&scene.recipe)?;
-    let wants = wants(&options.want, &scene)?;
+    let wants = Want::read(&options.want, &scene).map_err(|why| format!("--want {why}"))?;
     let numbers = numbers(options, &wants, &scene)?;
     let body = scene.plant.embedded_body();
     let plant = scene.plant;
     let seen = Progress::beside_lines();
     let mut fit = Fit::new(scene, wants.clone(), numbers.clone());
-    while let Some(scene) = fit.next().filter(|_| fit.tries() <= options.tries as usize) {
+    while let Some(scene) = fit.next_scene().filter(|_| fit.tries() <= options.tries as usize) {
         seen.tell(&format!("try {} of at most {}", fit.tries(), options.tries));
         let values = means(&scene, &wants, &body, options.individuals);
         if let (1, Err(why)) = (fit.tries(), &values) {
@@ -51,41 +50,15 @@ pub fn fit(options: &FitOptions) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Reads `share=0.4,patches=200`: measures, of F where no type is named, as `share-B`; shares from 0 to 1.
-fn wants(text: &str, scene: &Scene) -> Result<Vec<Want>, Refusal> {
-    let of_one = |pair: &str| {
-        let refuse = |why: &str| format!("--want {}: {why}", quoted(pair));
-        let (word, value) = pair.split_once('=').ok_or_else(|| refuse("it says no value"))?;
-        let words = word.replace('-', " ");
-        let measure = Measure::of_words(&words)
-            .or_else(|| Measure::of_words(&format!("{words} F")))
-            .ok_or_else(|| refuse(Measure::KNOWN))?;
-        let value: Option<f64> = value.parse().ok().filter(|x: &f64| x.is_finite() && *x >= 0.0);
-        let value = value.ok_or_else(|| refuse("it must be a number from 0 on"))?;
-        if measure.is_share() && value > 1.0 {
-            return Err(refuse("a share is from 0 to 1"));
-        }
-        if measure.name(scene.plant).starts_with(' ') {
-            return Err(refuse("this plant has no cells of that type"));
-        }
-        let value = if measure.is_share() { 100.0 * value } else { value };
-        Ok(Want { measure, value })
-    };
-    text.split(',').map(of_one).collect()
-}
-
 /// The numbers that are named, or else those that decide most.
 fn numbers(
     options: &FitOptions,
     wants: &[Want],
     scene: &Scene,
 ) -> Result<Vec<&'static Parameter>, Refusal> {
-    let named: Vec<&str> = match &options.vary {
-        Some(text) => text.split(',').collect(),
-        None => wants.iter().flat_map(|want| Fit::numbers_of(want.measure)).copied().collect(),
-    };
+    let Some(named) = &options.vary else { return Ok(Fit::numbers_of(wants, scene)) };
     let mut numbers: Vec<&Parameter> = Vec::new();
-    for key in named {
+    for key in named.split(',') {
         let number =
             Parameter::of_key(key).filter(|p| p.is_number() && p.regrows && p.key != "days");
         let number = number

@@ -76,6 +76,13 @@ pub fn open(file: File) {
 
 /// Has the workshop read what was brought, in the place of what it still may read.
 pub fn begin(wish: [&str; 3], more: impl Into<JsValue>, hear: impl Fn(Said) + Clone + 'static) {
+    let hear = move |said: Said| {
+        let is_done = !matches!(said, Said::Day(_));
+        hear(said);
+        if is_done {
+            with(|studio| studio.opening = None);
+        }
+    };
     match Work::start(wish, more, hear) {
         Ok(work) => with(|studio| studio.opening = Some(work)),
         Err(why) => tell(&why),

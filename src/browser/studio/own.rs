@@ -3,6 +3,7 @@
 use super::files::{begin, tell};
 use super::subject::{self, link_of};
 use super::wish::OWN;
+use super::with;
 use super::work::Said;
 use crate::browser::dom::{document, find, set_attribute, window};
 use crate::browser::files;
@@ -56,10 +57,11 @@ fn make_on(base: String, name: String, bytes: Uint8Array, asked: Option<String>)
                 match &asked {
                     Some(link) if !link.contains(&key) => {}
                     asked => {
-                        show(&key, &text, asked.as_deref());
                         if asked.is_none() && !told.is_empty() {
-                            tell(&format!("{named}: {told}."));
+                            let told = format!("{named}: {told}.");
+                            with(|studio| studio.to_tell = Some(told));
                         }
+                        show(&key, &text, asked.as_deref());
                     }
                 }
             }

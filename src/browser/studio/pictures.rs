@@ -54,7 +54,7 @@ pub fn dress(view: &str) {
         let _ = days.insert_adjacent_html("afterend", include_str!("pictures.html"));
         let number: HtmlSelectElement = within(&list, ".one-more .number");
         let plant = last().plant;
-        for parameter in PARAMETERS.iter().filter(|p| p.is_for(plant) && p.names.is_empty()) {
+        for parameter in PARAMETERS.iter().filter(|p| p.is_for(plant) && p.is_number()) {
             offer(&number, parameter.key, &parameter.label(plant));
         }
         propose();

@@ -18,6 +18,12 @@ pub const PHOTO: &str = "photo";
 /// to it. In place of the mesh stands that which a document names, if one does.
 pub const OWN: &str = "own";
 
+/// Numbers that make what is wanted, as `mosaic fit --want` takes it: the tries so far as numbers, for each that is
+/// better than all before an array of what came of it and its link, and at last an empty one.
+pub const FIT: &str = "fit";
+/// Tries of a search at most.
+pub const MOST_TRIES: usize = 100;
+
 /// The bytes of a file as the link that it holds.
 pub const OPEN: &str = "open";
 
