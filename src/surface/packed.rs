@@ -1,6 +1,7 @@
 //! Meshes as they are downloaded: OBJ texts in which the numbers of a `v`, `vt`, `f`, `l` or `#v` line are differences
 //! from those in the line of the same kind before, coordinates in hundredths. `meshes/pack.awk` writes them,
-//! when the page is built: they compress to two fifths of what the OBJ files do.
+//! when the page is built: they compress to two fifths of what the OBJ files do. A vertex of a moment (`#v`) is
+//! told by its way since the moment before, and that by the difference from the way of the vertex before.
 
 /// The kinds of lines that are packed, and what their numbers are whole parts of.
 const KINDS: [(&str, i32); 5] = [("v", 100), ("vt", 100), ("f", 1), ("l", 1), ("#v", 100)];
@@ -16,21 +17,49 @@ pub fn unpack(packed: &str) -> String {
     }
     let mut text = String::with_capacity(2 * packed.len());
     let mut before: [Vec<i32>; KINDS.len()] = Default::default();
+    // Where the vertices were at the last moment, and the number of the next one of this.
+    let (mut vertices, mut next) = (Vec::<[i32; 3]>::new(), 0);
     for line in packed.lines() {
         let is_of = |(name, _): &(&str, _)| {
             line.strip_prefix(name).is_some_and(|rest| rest.starts_with(' '))
         };
         match KINDS.iter().position(is_of) {
-            Some(kind) => unpack_line(line, KINDS[kind].1, &mut before[kind], &mut text),
-            None => text.push_str(line),
+            Some(kind) => {
+                let (name, parts) = KINDS[kind];
+                // Where it was; of all but a vertex that moves, nowhere.
+                let mut at = vertices.get(next).filter(|_| name == "#v").copied().unwrap_or([0; 3]);
+                unpack_line(line, parts, &mut before[kind], &mut at, &mut text);
+                match name {
+                    "v" => vertices.push(at),
+                    "#v" if next < vertices.len() => {
+                        vertices[next] = at;
+                        next += 1;
+                    }
+                    _ => {}
+                }
+            }
+            None => {
+                text.push_str(line);
+                if line.starts_with("#moment") {
+                    before[KINDS.len() - 1].clear();
+                    next = 0;
+                }
+            }
         }
         text.push('\n');
     }
     text
 }
 
-/// Digits and signs are differences; all else stays.
-fn unpack_line(line: &str, parts: i32, before: &mut Vec<i32>, text: &mut String) {
+/// Digits and signs are differences; all else stays. The first three numbers are told from those of `from`,
+/// where they are written as well.
+fn unpack_line(
+    line: &str,
+    parts: i32,
+    before: &mut Vec<i32>,
+    from: &mut [i32; 3],
+    text: &mut String,
+) {
     let (mut place, mut sign, mut difference) = (0, 1, None);
     for c in line.chars().chain([' ']) {
         if let Some(digit) = c.to_digit(10) {
@@ -43,7 +72,12 @@ fn unpack_line(line: &str, parts: i32, before: &mut Vec<i32>, text: &mut String)
                 before.push(0);
             }
             before[place] = before[place].wrapping_add(size.wrapping_mul(sign));
-            push_number(before[place], parts, text);
+            let mut number = before[place];
+            if let Some(from) = from.get_mut(place) {
+                *from = from.wrapping_add(number);
+                number = *from;
+            }
+            push_number(number, parts, text);
             (place, sign) = (place + 1, 1);
         }
         if c == '-' {
