@@ -1,10 +1,10 @@
-//! Lotus: white petals that blush towards their tips, with flecks of deeper pink, each a clone that began in the
+//! Lotus: white petals that blush towards their tips, with streaks of deeper pink, each a clone that began in the
 //! bud. Petals open from the outermost to the innermost.
 
 use super::paint::{Image, ImageRule, Paint, Pixels};
 use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
 use crate::surface::Wrap;
-use crate::tissue::CellType::Background;
+use crate::tissue::CellType::{Background, Foreground};
 use crate::tissue::{Clock, Recipe, Use};
 
 pub const PLANT: Plant = Plant {
@@ -14,25 +14,25 @@ pub const PLANT: Plant = Plant {
     source: "",
     colour_names: ["pink", "white", ""],
     recipe: Recipe {
-        initial_cells: 6_000,
+        initial_cells: 7_000,
         // Where the image lets them.
-        initial_probability: [0.3, 0.7, 0.0],
+        initial_probability: [0.8, 0.2, 0.0],
         clock: Clock::Exponential,
-        division_days: [13.0, 13.0, 13.0],
+        division_days: [11.0, 13.0, 13.0],
         mutation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         adhesion: [[0.6, 0.0, 0.0], [0.0, 0.6, 0.0], [0.0, 0.0, 0.0]],
         radius_scale: 1.0,
         repulsion: 0.2,
         initial_relaxations: 20,
-        relaxations_per_day: 4,
+        relaxations_per_day: 2,
         days: 20,
         max_cells: 60_000,
         ..Recipe::DEFAULT
     },
     first_day: 20,
     look: Look {
-        cells: [[0.87, 0.42, 0.58], [0.97, 0.91, 0.9], [0.9, 0.7, 0.8]],
-        tinted: &[(Background, [0.9, 0.52, 0.65])],
+        cells: [[0.95, 0.77, 0.82], [0.97, 0.91, 0.9], [0.9, 0.7, 0.8]],
+        tinted: &[(Background, [0.91, 0.56, 0.69]), (Foreground, [0.85, 0.4, 0.57])],
         variation: 0.05,
         border: 0.06,
         gloss: 0.15,
@@ -58,59 +58,55 @@ pub const PLANT: Plant = Plant {
         ],
         growths: Growths::Nothing,
     },
-    paint: &[FLECKS, BLUSH],
+    paint: &[STREAKS, BLUSH, STREAKS_BLUSH],
     guides: None,
     motion: Motion::STILL,
 };
 
-/// F towards the tip and the rims.
-const FLECKS: Paint = Paint {
+/// F in lines that run up to the tip, as the fine veins of a petal do.
+const STREAKS: Paint = Paint {
     wrap: Wrap::Leaf,
     image: Image {
-        width: 24,
-        height: 16,
+        width: 36,
+        height: 12,
         rule: ImageRule::Pixels(Pixels {
             rows: &[
-                "fffffff0ff0f0ffff0ffffff",
-                "ff0f0000f0f00fff0fffffff",
-                "f000000f000f0f0fff00f0ff",
-                "f00f0f0f0000ff0fff0ff0f0",
-                "0f0000000000ff000f00f00f",
-                "000000ff00f0000000f00f00",
-                "ff00f00f00000f00000f0f00",
-                "f000000000000000f000000f",
-                "000000000000000000f00000",
-                "000000000000000000000000",
-                "000000000000000000000000",
-                "000000000000000000000000",
-                "000000000000000000000000",
-                "000000000000000000000000",
-                "000000000000000000000000",
-                "000000000000000000000000",
+                "000f0000ff000ff0f0f00fffff0f000fffff",
+                "000f0000ff000ff0f0f00fffff0f000fffff",
+                "000f0000ff000ff0f0f00fffff0f000fffff",
+                "000f0000ff000ff0f0f00fffff0f000fffff",
+                "000f0000ff000ff0f0f00fffff0f000fffff",
+                "000f0000f0000ff000000fffff0f000fff0f",
+                "000f0000f00000f000000fffff0f0000ff00",
+                "000f0000f00000f000000ff00f0f00000f00",
+                "00000000f00000f000000ff00f0000000f00",
+                "000000000000000000000ff0000000000f00",
+                "000000000000000000000000000000000000",
+                "000000000000000000000000000000000000",
             ],
         }),
     },
     use_as: Use::FOREGROUND,
 };
 
-/// Pink from the tip downwards, farther along the rims.
-const BLUSH: Paint = Paint {
-    wrap: Wrap::Leaf,
-    image: Image {
-        width: 9,
-        height: 8,
-        rule: ImageRule::Pixels(Pixels {
-            rows: &[
-                "fffffffff",
-                "feedddeef",
-                "dcbaaabcd",
-                "b9766679b",
-                "853333358",
-                "410000014",
-                "000000000",
-                "000000000",
-            ],
-        }),
-    },
-    use_as: Use::Colour { of: Background },
+/// Both types are pinker the nearer to the tip, and farther down along the rims.
+const BLUSH: Paint =
+    Paint { wrap: Wrap::Leaf, image: PINK, use_as: Use::Colour { of: Background } };
+const STREAKS_BLUSH: Paint = Paint { use_as: Use::Colour { of: Foreground }, ..BLUSH };
+
+const PINK: Image = Image {
+    width: 9,
+    height: 8,
+    rule: ImageRule::Pixels(Pixels {
+        rows: &[
+            "fffffffff",
+            "feedddeef",
+            "dcbaaabcd",
+            "b9766679b",
+            "853333358",
+            "410000014",
+            "000000000",
+            "000000000",
+        ],
+    }),
 };

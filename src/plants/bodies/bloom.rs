@@ -63,12 +63,17 @@ pub fn finished(mut sketch: Sketch) -> PolygonMesh {
 }
 
 /// Places for the vertices of which refinement makes those that they have: a refined body does not reach its
-/// control points.
+/// control points. Filaments, which are too thin for that, stay.
 fn before_refinement(mesh: &PolygonMesh) -> Vec<Vec3> {
+    let mut is_thin = vec![false; mesh.positions.len()];
+    for face in &mesh.faces {
+        let thin = mesh.groups[face.group as usize].material == "bare:filament";
+        face.vertices.iter().for_each(|&v| is_thin[v as usize] = thin);
+    }
     let mut control = mesh.clone();
     for _ in 0..3 {
         let refined = control.refined(3).positions;
-        for (k, wanted) in mesh.positions.iter().enumerate() {
+        for (k, wanted) in mesh.positions.iter().enumerate().filter(|(k, _)| !is_thin[*k]) {
             control.positions[k] += *wanted - refined[k];
         }
     }

@@ -112,7 +112,8 @@ impl Stamens {
             let end = path[path.len() - 1];
             let along = (end - path[path.len() - 2]).normalize_or(DVec3::Y);
             let angle = self.numbers.anther_deg.to_radians() * share;
-            let way = along * libm::cos(angle) + rod.side * libm::sin(angle);
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            let way = along * cos + rod.side * sin;
             let size = rod.size(share);
             let anther: Vec<(DVec3, f64)> = self
                 .numbers
@@ -125,7 +126,7 @@ impl Stamens {
                     (end + way * (from_middle / 2.0 * self.numbers.anther_cm * size), radius)
                 })
                 .collect();
-            corners[1].extend(rings(self.numbers.sides, &anther, along.cross(rod.side)));
+            corners[1].extend(rings(self.numbers.sides, &anther, rod.side * cos - along * sin));
         }
         corners
     }
