@@ -28,13 +28,19 @@ pub fn strip(run: &Run, colours: &[[f32; 3]; 3], marked: u32) -> String {
         lines.push((m_by_number, line(run, newest, |d| below(by_area(d), true))));
     }
     svg += &format!("<path fill=\"{f}\" d=\"M0 {WHOLE}{f_by_number}V{WHOLE}z\"/>");
+    let mut draw = |class: &str, way: &str| {
+        svg += &format!("<path class=\"{class}\" d=\"M{way}\"/>");
+    };
     for (number, area) in lines {
-        for (class, way) in [("number", number), ("area", area)] {
-            // The way begins as a line to its first point.
-            svg += &format!("<path class={class} d=\"M{}\"/>", &way[1..]);
-        }
+        // A way begins as a line to its first point. White on black is seen on all colours.
+        draw("number", &number[1..]);
+        draw("area rim", &area[1..]);
+        draw("area", &area[1..]);
     }
-    svg + &format!("<path class=now d=\"M{marked} 0V{WHOLE}\"/>")
+    let mark = format!("{marked} 0V{WHOLE}");
+    draw("now rim", &mark);
+    draw("now", &mark);
+    svg
 }
 
 /// Lines from day to day at so many of `WHOLE` from above.
@@ -80,11 +86,12 @@ mod tests {
             strip(&two, &COLOURS, 1),
             "<path fill=\"rgb(0 128 0)\" d=\"M0 0H1V1000H0z\"/>\
              <path fill=\"rgb(255 255 0)\" d=\"M0 1000L0 750L1 250V1000z\"/>\
-             <path class=number d=\"M0 750L1 250\"/><path class=area d=\"M0 500L1 400\"/>\
-             <path class=now d=\"M1 0V1000\"/>"
+             <path class=\"number\" d=\"M0 750L1 250\"/>\
+             <path class=\"area rim\" d=\"M0 500L1 400\"/><path class=\"area\" d=\"M0 500L1 400\"/>\
+             <path class=\"now rim\" d=\"M1 0V1000\"/><path class=\"now\" d=\"M1 0V1000\"/>"
         );
         let three = strip(&run(&[([1, 2, 1], [1, 1, 2])]), &COLOURS, 0);
         assert!(three.contains("<path fill=\"rgb(255 0 0)\" d=\"M0 1000L0 500V1000z\"/>"));
-        assert_eq!(three.matches("class=area").count(), 2);
+        assert_eq!(three.matches("class=\"area\"").count(), 2);
     }
 }
