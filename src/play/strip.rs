@@ -16,16 +16,14 @@ pub fn rgb(colour: [f32; 3]) -> String {
 pub fn strip(run: &Run, colours: &[[f32; 3]; 3], marked: u32) -> String {
     let Some(newest) = run.newest() else { return String::new() };
     let [f, b, m] = colours.map(rgb);
-    let by_area = |facts: &super::DayFacts| facts.areas;
-    let by_number = |facts: &super::DayFacts| facts.count.by_type;
     // From below: F, and on it M; B is what they leave.
-    let f_by_number = line(run, newest, |facts| below(by_number(facts), false));
-    let m_by_number = line(run, newest, |facts| below(by_number(facts), true));
+    let f_by_number = line(run, newest, false, false);
+    let m_by_number = line(run, newest, true, false);
     let mut svg = format!("<path fill=\"{b}\" d=\"M0 0H{newest}V{WHOLE}H0z\"/>");
-    let mut lines = vec![(f_by_number.clone(), line(run, newest, |d| below(by_area(d), false)))];
+    let mut lines = vec![(f_by_number.clone(), line(run, newest, false, true))];
     if m_by_number != f_by_number {
         svg += &format!("<path fill=\"{m}\" d=\"M0 {WHOLE}{m_by_number}V{WHOLE}z\"/>");
-        lines.push((m_by_number, line(run, newest, |d| below(by_area(d), true))));
+        lines.push((m_by_number, line(run, newest, true, true)));
     }
     svg += &format!("<path fill=\"{f}\" d=\"M0 {WHOLE}{f_by_number}V{WHOLE}z\"/>");
     let mut draw = |class: &str, way: &str| {
@@ -43,10 +41,18 @@ pub fn strip(run: &Run, colours: &[[f32; 3]; 3], marked: u32) -> String {
     svg
 }
 
-/// Lines from day to day at so many of `WHOLE` from above.
-fn line(run: &Run, newest: u32, height: impl Fn(&super::DayFacts) -> u32) -> String {
-    let days = (0..=newest).filter_map(|day| Some((day, run.facts(day)?)));
-    days.map(|(day, facts)| format!("L{day} {}", WHOLE - height(facts))).collect()
+/// Lines from day to day at the share of F, or of F and M, by number or by area.
+// Once: bytes count.
+#[inline(never)]
+fn line(run: &Run, newest: u32, with_m: bool, by_area: bool) -> String {
+    let mut way = String::new();
+    for day in 0..=newest {
+        if let Some(facts) = run.facts(day) {
+            let parts = if by_area { facts.areas } else { facts.count.by_type };
+            way += &format!("L{day} {}", WHOLE - below(parts, with_m));
+        }
+    }
+    way
 }
 
 /// The share of F, or of F and M, in `WHOLE`.
