@@ -4,6 +4,7 @@
 use super::address::mark_ui;
 use super::dom::{document, find, set_attribute, set_flag, window};
 use super::files::{self, in_bundles, is_held};
+use crate::plants::OWN;
 use js_sys::Promise;
 use wasm_bindgen::prelude::*;
 use web_sys::{Element, HtmlCanvasElement, HtmlScriptElement};
@@ -76,6 +77,7 @@ fn show_poster() {
     let fragment = window().location().hash().unwrap_or_default();
     let name = fragment.trim_start_matches('#').split('?').next().unwrap_or_default();
     let is_name = !matches!(name, "" | "figures")
+        && !name.starts_with(OWN)
         && name.bytes().all(|b| b.is_ascii_lowercase() || b == b'-');
     let plant = if is_name { name } else { "croton" };
     let address = files::address(&format!("posters/{plant}.avif"));

@@ -2,7 +2,7 @@
 
 use crate::plants::{Growths, Motion, Plant, Shape, to_text};
 use crate::play::Scene;
-use crate::surface::{Brought, BroughtError};
+use crate::surface::{Brought, BroughtError, NO_TWIN};
 use std::sync::Arc;
 
 /// A plant that was made of a file: its key, its text, and what was done to it in plain words.
@@ -65,6 +65,12 @@ pub fn of_mesh(file: &[u8], name: &str, scene: &Scene) -> Result<Own, String> {
         told.push(format!("{size_cm} cm large, so it was made {USUAL_CM} cm"));
     }
     let Scene { plant, recipe, look, .. } = scene;
+    let mut look = look.clone();
+    // Light comes through sheets, and not through what is closed; veins lie on leaf coordinates.
+    if !body.surface.twins.contains(&NO_TWIN) {
+        look.skin.through = 0.0;
+    }
+    look.veins &= !body.surface.uvs.is_empty();
     let shape = Shape { levels: 0, but: &[], growths: Growths::Nothing, ..plant.body };
     let plant = Plant {
         name: name.to_string().leak(),
@@ -75,7 +81,7 @@ pub fn of_mesh(file: &[u8], name: &str, scene: &Scene) -> Result<Own, String> {
         guides: None,
         recipe: recipe.clone(),
         motion: Motion::STILL,
-        look: look.clone(),
+        look,
         first_day: plant.first_day.min(recipe.days),
         ..(**plant).clone()
     };
