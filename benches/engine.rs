@@ -132,7 +132,7 @@ fn leaf(c: &mut Criterion) {
 
 fn flower(c: &mut Criterion) {
     let mut group = c.benchmark_group("a moment of a flower, by corners");
-    for [rows, columns] in [[10, 2], [64, 12]] {
+    for [rows, columns] in [[10, 2], [90, 18]] {
         let mut numbers = FlowerNumbers::default();
         (numbers.petals.rows, numbers.petals.columns) = (rows, columns);
         let flower = Flower::new(&numbers, 1).unwrap();
