@@ -17,6 +17,7 @@ mod fields;
 mod figures;
 mod fingers;
 mod fit;
+mod flowers;
 mod graphics;
 mod hosts;
 mod icons;
