@@ -28,6 +28,8 @@ $1 == "v" || $1 == "vt" || $1 == "f" || $1 == "l" || $1 == "#v" {
         before[$1, place] = number
         rest = substr(rest, RSTART + RLENGTH)
     }
+    # Of the many lines of moments the name is left away.
+    sub(/^#v/, "", line)
     print line rest
     if ($1 == "v") vertices++
     if ($1 == "#v") vertex++

@@ -3,8 +3,9 @@
 //! when the page is built: they compress to two fifths of what the OBJ files do. A vertex of a moment (`#v`) is
 //! told by its way since the moment before, and that by the difference from the way of the vertex before.
 
-/// The kinds of lines that are packed, and what their numbers are whole parts of.
-const KINDS: [(&str, i32); 5] = [("v", 100), ("vt", 100), ("f", 1), ("l", 1), ("#v", 100)];
+/// The kinds of lines that are packed, and what their numbers are whole parts of. The name of a vertex of a moment
+/// is left away.
+const KINDS: [(&str, i32); 5] = [("v", 100), ("vt", 100), ("f", 1), ("l", 1), ("", 100)];
 
 /// How a text begins that is not packed.
 pub const PLAIN: &str = "# plain ";
@@ -26,12 +27,16 @@ pub fn unpack(packed: &str) -> String {
         match KINDS.iter().position(is_of) {
             Some(kind) => {
                 let (name, parts) = KINDS[kind];
+                if name.is_empty() {
+                    text.push_str("#v");
+                }
                 // Where it was; of all but a vertex that moves, nowhere.
-                let mut at = vertices.get(next).filter(|_| name == "#v").copied().unwrap_or([0; 3]);
+                let mut at =
+                    vertices.get(next).filter(|_| name.is_empty()).copied().unwrap_or([0; 3]);
                 unpack_line(line, parts, &mut before[kind], &mut at, &mut text);
                 match name {
                     "v" => vertices.push(at),
-                    "#v" if next < vertices.len() => {
+                    "" if next < vertices.len() => {
                         vertices[next] = at;
                         next += 1;
                     }
