@@ -47,20 +47,21 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 20.0, elevation_deg: 14.0, zoom: 1.05 },
-    body: Shape {
-        mesh: mesh_file!("lily.obj"),
-        levels: 2,
-        but: &[
-            Levels { group: "bare:filament", levels: 0 },
-            Levels { group: "bare:anther", levels: 1 },
-            Levels { group: "bare:pistil", levels: 1 },
-        ],
-        growths: Growths::Nothing,
-    },
+    body: shape(mesh_file!("lily.obj")),
     paint: &[FRECKLES, MIDRIB],
     guides: None,
     motion: Motion::STILL,
 };
+
+/// A flower, whose filaments are too thin to be refined.
+pub(super) const fn shape(mesh: super::MeshFile) -> Shape {
+    let but = &[
+        Levels { group: "bare:filament", levels: 0 },
+        Levels { group: "bare:anther", levels: 1 },
+        Levels { group: "bare:pistil", levels: 1 },
+    ];
+    Shape { mesh, levels: 2, but, growths: Growths::Nothing }
+}
 
 /// F in the lower half of each tepal, the more the nearer to the throat.
 const FRECKLES: Paint = Paint {

@@ -2,7 +2,7 @@
 //! bud. Petals open from the outermost to the innermost.
 
 use super::paint::{Image, ImageRule, Paint, Pixels};
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Look, Motion, Plant, Skin, View, lily};
 use crate::surface::Wrap;
 use crate::tissue::CellType::{Background, Foreground};
 use crate::tissue::{Clock, Recipe, Use};
@@ -48,16 +48,7 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 30.0, zoom: 1.1 },
-    body: Shape {
-        mesh: mesh_file!("lotus.obj"),
-        levels: 2,
-        but: &[
-            Levels { group: "bare:filament", levels: 0 },
-            Levels { group: "bare:anther", levels: 1 },
-            Levels { group: "bare:pistil", levels: 1 },
-        ],
-        growths: Growths::Nothing,
-    },
+    body: lily::shape(mesh_file!("lotus.obj")),
     paint: &[STREAKS, BLUSH, STREAKS_BLUSH],
     guides: None,
     motion: Motion::STILL,

@@ -2,7 +2,7 @@
 //! divide more than those around it.
 
 use super::paint::{Image, ImageRule, Paint, Pixels};
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Look, Motion, Plant, Skin, View, lily};
 use crate::surface::Wrap;
 use crate::tissue::CellType::Background;
 use crate::tissue::{Clock, Recipe, Use};
@@ -47,16 +47,7 @@ pub const PLANT: Plant = Plant {
         ],
     },
     view: View { azimuth_deg: 62.0, elevation_deg: 4.0, zoom: 1.05 },
-    body: Shape {
-        mesh: mesh_file!("tiger_lily.obj"),
-        levels: 2,
-        but: &[
-            Levels { group: "bare:filament", levels: 0 },
-            Levels { group: "bare:anther", levels: 1 },
-            Levels { group: "bare:pistil", levels: 1 },
-        ],
-        growths: Growths::Nothing,
-    },
+    body: lily::shape(mesh_file!("tiger_lily.obj")),
     paint: &[FRECKLES, THROAT],
     guides: None,
     motion: Motion::STILL,

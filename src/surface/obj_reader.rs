@@ -78,10 +78,12 @@ impl Reader {
             Some("l") => self.read_vein(words, line)?,
             Some("g" | "o") => self.part = name(statement),
             Some("usemtl") => self.material = name(statement),
+            // Other programs' comments may begin alike.
             Some("#moment") => {
-                let day = number(words.next())? as f32;
-                self.mesh.moments.push(Moment { day, positions: Vec::new() });
-                self.last_moment = line;
+                if let Some(day) = words.next().and_then(decimal) {
+                    self.mesh.moments.push(Moment { day: day as f32, positions: Vec::new() });
+                    self.last_moment = line;
+                }
             }
             // Without a moment it is a comment like any other.
             Some("#v") => {

@@ -186,10 +186,16 @@ fn refined_moments_are_those_of_the_refined_mesh() {
     let folded = |part: &[Vec3]| part.iter().map(|p| p.z).fold(0.0, f32::max);
     assert!(folded(&first.surface.positions) > 0.5 && folded(&body.surface.positions) == 0.0);
     assert_eq!(folded(&first.ornaments[0].positions), 1.0);
-    // From the foot to the upright stalk, and as low as the leaf is when it is folded.
+    // Around all of both moments: the stalk that is 3 cm high at last, the leaf that is flat then.
     let (centre, radius, lowest) = body.ball();
-    assert_eq!((centre, lowest), (Vec3::new(1.0, 1.0, 1.5), 0.0));
-    assert!((radius - Vec3::new(1.0, 1.0, 1.5).length()).abs() < 1e-5);
+    let ever: Vec<Vec3> = [&first, &body.on(4)]
+        .iter()
+        .flat_map(|body| body.surface.positions.iter().chain(&body.ornaments[0].positions))
+        .copied()
+        .collect();
+    let farthest = ever.iter().map(|p| p.distance(centre)).fold(0.0, f32::max);
+    assert_eq!((centre.z, lowest), (1.5, ever.iter().map(|p| p.y).fold(9.0, f32::min)));
+    assert!((radius - farthest).abs() < 1e-5, "{radius} cm, and a corner is {farthest} cm away");
 }
 
 #[test]
@@ -200,9 +206,9 @@ fn moments_that_are_none_of_the_mesh_are_refused() {
         Body::new(&mesh).map(|_| ()).map_err(|e| e.to_string())
     };
     assert_eq!(told("#v 1 2 3\n#moment 0\n#moment 1\n"), Ok(()), "the first is a comment");
+    assert_eq!(told("#moment of inertia\n#v of old\n"), Ok(()), "so are those of others");
     for (moments, why) in [
         ("#moment 1\n#v 0 0 0\n", "line 5 of the OBJ file: there are 3 vertices, but 1 on day 1"),
-        ("#moment one\n", "line 5 of the OBJ file: \"one\" is not a number"),
         ("#moment 3\n#moment 3\n", "the moment of day 3 does not come after the one before it"),
         ("#moment 7\n#v 0 0 0\n#v 1 0 0\n#v 2 0 0\n", "on day 7 a triangle has no area"),
         ("#moment 0\n#v 0 0 0\n#v 1 0 0\n#v 0 inf 0\n", "vertex 3 is not a finite number"),
