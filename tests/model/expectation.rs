@@ -57,7 +57,8 @@ fn plants_have_the_cells_expected_of_the_first_cells_that_were_drawn() {
     // Of those alone whose expectation is known.
     let is_known =
         |plant: &&Plant| expected_cells(&plant.recipe, &plant.controls(1), [1; 3], 1).is_some();
-    assert!(plants::all().iter().filter(is_known).count() >= 12);
+    let known = plants::all().iter().filter(is_known).count();
+    assert!(known >= 11, "{known} of the plants");
     for plant in plants::all().iter().filter(is_known) {
         let mesh = Arc::new(plant.embedded_body().surface);
         let controls = plant.controls(1);
