@@ -81,7 +81,7 @@ pub const PLANT: Plant = Plant {
     recipe: Recipe {
         // Farther felt and fewer, warts are larger and round, and none run into worms.
         initial_probability: [0.93, 0.07, 0.0],
-        radius_scale: 4.0,
+        radius_scale: 3.0,
         ..FIRST.recipe
     },
     ..FIRST
