@@ -101,8 +101,10 @@ impl Order {
             Kind::Glb | Kind::Ply | Kind::Obj | Kind::ThreeMf | Kind::Usdz | Kind::Svg => {
                 let ornaments: Vec<Ornament> =
                     self.ornaments.iter().map(|part| part.on(day as u32)).collect();
-                let (body, controls) =
-                    ((&*self.mesh, mesh, &ornaments[..]), self.scene.plant.controls());
+                let (body, controls) = (
+                    (&*self.mesh, mesh, &ornaments[..]),
+                    self.scene.plant.controls(self.scene.individual),
+                );
                 let link = self.link(day);
                 let look = &self.scene.look;
                 let specimen = Specimen::new(body, look, &controls, (&diary, day), link);
@@ -159,7 +161,9 @@ impl Order {
     /// The link that shows it, or, of a plant that is not in the catalogue, its name.
     fn link(&self, day: usize) -> String {
         let scene = &self.scene;
-        if plants::find(scene.plant.key).is_some_and(|own| own == scene.plant) {
+        let of_catalogue =
+            plants::find(scene.plant.key).and_then(|newest| newest.under(scene.plant.rules as u32));
+        if of_catalogue == Some(scene.plant) {
             let shown = Scene { day: day as u32, show: Show::Cells, ..scene.clone() };
             return link::write(&shown);
         }

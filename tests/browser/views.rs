@@ -32,7 +32,7 @@ pub fn views_agree(engine: impl Into<Engine>) {
     let scene = link::read(LINK, plants::all()).scene;
     let rays = Rays::of(&scene, &cells);
     let field = scene.plant.field(&rays.body.surface).unwrap().expect("a plant with a field");
-    let controls = scene.plant.controls();
+    let controls = scene.plant.controls(scene.individual);
     let samples = samples(&rays, &cells);
     assert!(samples.len() > 300, "{} pixels lie on the leaves", samples.len());
 
