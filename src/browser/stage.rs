@@ -1,6 +1,6 @@
 //! The stage: the canvas, its renderer, and what has been handed to it.
 
-mod picture;
+pub(super) mod picture;
 
 use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};

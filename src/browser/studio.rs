@@ -5,6 +5,7 @@
 mod bring_in;
 mod charts;
 mod class;
+mod darkroom;
 mod files;
 mod fit;
 mod leaflet;

@@ -351,7 +351,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    fn decode(bytes: &[u8]) -> Picture {
+    pub fn decode(bytes: &[u8]) -> Picture {
         let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
         let mut data = vec![0; reader.output_buffer_size().expect("a small picture")];
         let info = reader.next_frame(&mut data).expect("a whole PNG");
