@@ -14,6 +14,7 @@ use crate::play::page::{Event, Page, State};
 use crate::play::strip::rgb;
 use crate::play::words;
 use glam::Vec2;
+use js_sys::Reflect;
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Element, HtmlDialogElement, HtmlElement, HtmlInputElement};
@@ -74,6 +75,10 @@ impl Controls {
             // Or else the browser goes to the file, away from the plant.
             listeners.push(on(&document(), kind, |event: web_sys::Event| {
                 event.prevent_default();
+                // They are in the event for a moment alone, and the studio may not be there yet.
+                let data = Reflect::get(&event, &"dataTransfer".into()).unwrap_or_default();
+                let files = Reflect::get(&data, &"files".into()).unwrap_or_default();
+                let _ = Reflect::set(&document(), &"files".into(), &files);
                 load_studio("drop");
             }));
         }

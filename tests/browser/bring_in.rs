@@ -144,7 +144,7 @@ fn a_document_of_ones_own_grows_and_what_cannot_is_told() {
     assert_eq!((own.fingerprint, preset.day), (fingerprint(growth), day));
 
     for (name, content, why) in [
-        ("a.glb", &b"glTF\x02\0\0\0"[..], "this is a GLB file"),
+        ("a.glb", &b"glTF\x02\0\0\0"[..], "the GLB file: it ends before"),
         ("b.json", b"{\"mosaic_plant\": 1}", "missing field"),
         ("c.obj", b"v 0 0 0\n", "the OBJ file has no faces"),
     ] {
