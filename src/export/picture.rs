@@ -31,16 +31,32 @@ pub fn write_picture(size_px: [u32; 2], pixels: &[u8], link: &str) -> io::Result
     Ok(bytes)
 }
 
-/// The PNG of a square of pixels, three bytes each in sRGB, row by row from the top.
+/// What a pixel says, a byte for each part.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Channels {
+    /// Three parts, in sRGB.
+    Colour,
+    /// Three parts, -1 to 1.
+    Direction,
+    /// One, 0 to 1.
+    Number,
+}
+
+/// The PNG of a square of pixels, row by row from the top.
 ///
 /// # Errors
 /// Pixels that are not as many as the side says.
-pub(super) fn write_opaque(side_px: u32, pixels: &[u8]) -> io::Result<Vec<u8>> {
+pub(super) fn write_square(side_px: u32, channels: Channels, pixels: &[u8]) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, side_px, side_px);
-    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_color(match channels {
+        Channels::Number => png::ColorType::Grayscale,
+        _ => png::ColorType::Rgb,
+    });
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    if channels == Channels::Colour {
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    }
     let mut png = encoder.write_header().map_err(io::Error::other)?;
     png.write_image_data(pixels).map_err(io::Error::other)?;
     png.finish().map_err(io::Error::other)?;
