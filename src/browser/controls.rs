@@ -5,7 +5,7 @@ use super::address::UI;
 use super::app;
 use super::boot;
 use super::dom::{
-    Listener, document, find, on, set_attribute, set_flag, set_style, set_text, window,
+    Listener, document, find, member, on, set_attribute, set_flag, set_style, set_text, window,
 };
 use super::keyboard::{TURN_DEG, ZOOM};
 use super::typing;
@@ -76,8 +76,7 @@ impl Controls {
             listeners.push(on(&document(), kind, |event: web_sys::Event| {
                 event.prevent_default();
                 // They are in the event for a moment alone, and the studio may not be there yet.
-                let data = Reflect::get(&event, &"dataTransfer".into()).unwrap_or_default();
-                let files = Reflect::get(&data, &"files".into()).unwrap_or_default();
+                let files = member(&member(&event, "dataTransfer"), "files");
                 let _ = Reflect::set(&document(), &"files".into(), &files);
                 load_studio("drop");
             }));

@@ -83,31 +83,32 @@ impl Joined {
         if !(TRIANGLES..=TRIANGLE_FAN).contains(&mode) || attributes["POSITION"].is_null() {
             return Ok(());
         }
-        let places = file.numbers::<3>(&attributes["POSITION"])?;
+        let places = file.numbers(&attributes["POSITION"], 3)?;
+        let count = places.len() / 3;
         let corners = match &primitive["indices"] {
-            Value::Null => (0..places.len() as u64).map(|k| [k as f64]).collect(),
-            indices => file.numbers::<1>(indices)?,
+            Value::Null => (0..count as u32).map(f64::from).collect(),
+            indices => file.numbers(indices, 1)?,
         };
         let first = self.positions.len();
-        if first + places.len() + corners.len() > MOST_CORNERS {
+        if first + count + corners.len() > MOST_CORNERS {
             return Err(format!("it has more than {MOST_CORNERS} corners"));
         }
-        if let Some([corner]) = corners.iter().find(|[k]| *k >= places.len() as f64) {
-            let count = places.len();
+        if let Some(corner) = corners.iter().find(|&&k| k >= count as f64) {
             return Err(format!("a triangle names corner {corner}, but there are {count}"));
         }
-        self.positions.extend(places.into_iter().map(|p| place.transform_point3(p.into())));
+        let places = places.as_chunks::<3>().0.iter();
+        self.positions.extend(places.map(|&p| place.transform_point3(p.into())));
         if !attributes["TEXCOORD_0"].is_null() {
-            let uvs = file.numbers::<2>(&attributes["TEXCOORD_0"])?;
+            let uvs = file.numbers(&attributes["TEXCOORD_0"], 2)?;
             // They run down in glTF, and up in OBJ.
-            let uvs = uvs.iter().map(|&[u, v]| Vec2::new(u as f32, (1.0 - v) as f32));
+            let uvs = uvs.as_chunks().0.iter().map(|&[u, v]| Vec2::new(u as f32, (1.0 - v) as f32));
             self.mesh.uvs.extend(uvs.map(|uv| if uv.is_finite() { uv } else { Vec2::ZERO }));
             self.has_uvs = true;
         }
         self.mesh.uvs.resize(self.positions.len(), Vec2::ZERO);
         let group = self.group(part, file.material(primitive));
         let is_mirrored = place.determinant() < 0.0;
-        let corner = |k: usize| first as u32 + corners[k][0] as u32;
+        let corner = |k: usize| first as u32 + corners[k] as u32;
         for mut vertices in triangles(mode, corners.len()).map(|t| t.map(corner)) {
             if is_mirrored {
                 vertices.swap(1, 2);
@@ -205,11 +206,11 @@ impl<'a> File<'a> {
         material.and_then(|material| text(&material["name"])).unwrap_or_default()
     }
 
-    /// The items of an accessor, of `N` numbers each.
-    fn numbers<const N: usize>(&self, accessor: &Value) -> Result<Vec<[f64; N]>, String> {
+    /// The numbers of an accessor, so many for each of its items.
+    fn numbers(&self, accessor: &Value, parts: usize) -> Result<Vec<f64>, String> {
         let accessor = self.item("accessors", accessor.as_u64().unwrap_or(u64::MAX))?;
         let wrong = || "its accessors are not well formed".to_string();
-        let kind = ["SCALAR", "VEC2", "VEC3"][N - 1];
+        let kind = ["SCALAR", "VEC2", "VEC3"][parts - 1];
         if accessor["type"] != kind {
             return Err(wrong());
         }
@@ -241,18 +242,15 @@ impl<'a> File<'a> {
         })();
         let bytes = bytes.ok_or_else(wrong)?;
         let number = Component::of(accessor).ok_or_else(wrong)?;
-        let stride = size(&view["byteStride"]).unwrap_or(0).max(N * number.bytes);
+        let stride = size(&view["byteStride"]).unwrap_or(0).max(parts * number.bytes);
         let count = size(&accessor["count"]).ok_or_else(wrong)?;
         let last = count.checked_sub(1).and_then(|last| last.checked_mul(stride));
-        let ends = last.and_then(|last| last.checked_add(N * number.bytes));
+        let ends = last.and_then(|last| last.checked_add(parts * number.bytes));
         if count > 0 && ends.is_none_or(|ends| ends > bytes.len()) {
             return Err("its accessors reach beyond its numbers".to_string());
         }
-        let item = |k: usize| {
-            let item = &bytes[k * stride..];
-            std::array::from_fn(|n| number.read(&item[n * number.bytes..]))
-        };
-        Ok((0..count).map(item).collect())
+        let read = |k: usize| number.read(&bytes[k / parts * stride + k % parts * number.bytes..]);
+        Ok((0..count * parts).map(read).collect())
     }
 }
 
@@ -321,8 +319,12 @@ fn matrix(node: &Value) -> DMat4 {
 
 /// So many numbers, if they are there.
 fn floats<const N: usize>(value: &Value) -> Option<[f64; N]> {
-    let numbers: Option<Vec<f64>> = value.as_array()?.iter().map(Value::as_f64).collect();
-    numbers?.try_into().ok()
+    let list = value.as_array().filter(|list| list.len() == N)?;
+    let mut numbers = [0.0; N];
+    for (number, value) in numbers.iter_mut().zip(list) {
+        *number = value.as_f64()?;
+    }
+    Some(numbers)
 }
 
 /// Numbers of other things; none at all are none.

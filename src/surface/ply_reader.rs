@@ -19,7 +19,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<(Vec<DVec3>, PolygonMesh), String> {
         match &*element.name {
             "vertex" => read_vertices(element, &mut body, &mut positions, &mut mesh.uvs)?,
             "face" => read_faces(element, &mut body, &mut mesh.faces)?,
-            _ => element.each(&mut body, |_, _| {})?,
+            _ => element.each(&mut body, &mut |_| {})?,
         }
     }
     if mesh.faces.is_empty() {
@@ -47,7 +47,8 @@ fn read_vertices(
         return Err("its vertices have no x, y and z".to_string());
     };
     let uv = UVS.into_iter().find_map(|[u, v]| Some([element.place(u)?, element.place(v)?]));
-    element.each(body, |row, _| {
+    element.each(body, &mut |found| {
+        let Found::Item(row) = found else { return };
         positions.push(DVec3::new(row[x], row[y], row[z]));
         if let Some([u, v]) = uv {
             let uv = Vec2::new(row[u] as f32, row[v] as f32);
@@ -62,8 +63,11 @@ fn read_faces(element: &Element, body: &mut Body, faces: &mut Vec<Face>) -> Resu
         return Err("its faces have no list of vertices".to_string());
     }
     let mut wrong = None;
-    element.each(body, |_, list| {
-        let Some((_, list)) = list.filter(|(property, _)| is_corners(property)) else { return };
+    element.each(body, &mut |found| {
+        let list = match found {
+            Found::List(property, list) if is_corners(property) => list,
+            _ => return,
+        };
         let is_vertex = |n: &&f64| **n >= 0.0 && **n < f64::from(u32::MAX) && n.fract() == 0.0;
         wrong = wrong.or_else(|| list.iter().find(|n| !is_vertex(n)).copied());
         if list.len() >= 3 {
@@ -189,19 +193,21 @@ impl Header {
     }
 }
 
+/// What is read of an item.
+enum Found<'a> {
+    List(&'a Property, &'a [f64]),
+    /// Its numbers in the order of the properties, with a zero in the place of each list.
+    Item(&'a [f64]),
+}
+
 impl Element {
     /// Where a number stands among those of an item.
     fn place(&self, name: &str) -> Option<usize> {
         self.properties.iter().position(|p| p.name == name && p.length.is_none())
     }
 
-    /// Reads all items: hands on each list as it is read, and then the numbers of the item, in the order of the
-    /// properties, with a zero in the place of a list.
-    fn each(
-        &self,
-        body: &mut Body,
-        mut take: impl FnMut(&[f64], Option<(&Property, &[f64])>),
-    ) -> Result<(), String> {
+    /// Reads all items, and hands on each list as it is read, and then the numbers of its item.
+    fn each(&self, body: &mut Body, take: &mut dyn FnMut(Found)) -> Result<(), String> {
         let (mut row, mut list) = (vec![0.0; self.properties.len()], Vec::new());
         // Whatever its count, an item without properties is nothing.
         let count = if row.is_empty() { 0 } else { self.count };
@@ -219,9 +225,9 @@ impl Element {
                 for _ in 0..length as u64 {
                     list.push(body.number(property.scalar)?);
                 }
-                take(&[], Some((property, &list)));
+                take(Found::List(property, &list));
             }
-            take(&row, None);
+            take(Found::Item(&row));
         }
         Ok(())
     }

@@ -88,6 +88,10 @@ fn what_is_wrong_with_a_ply_is_told_in_a_sentence() {
         let told = refusal(&bytes);
         assert!(told.starts_with("the PLY file: ") && told.contains(why), "{told}");
     }
+    // Lists of vertices are passed over.
+    let lists = whole.replace("float z\n", "float z\nproperty list uchar uchar l\n");
+    let lists = lists.replace("0 0 0 1 0 0 0 1 0", "0 0 0 2 7 7 1 0 0 0 0 1 0 1 9");
+    assert_eq!(read(lists.as_bytes()).body.surface.area, 0.5);
     // However many items it is said to have, what is not there takes no time.
     let many = format!("{head}property float z\nelement none 99999999999999\n{faces}0 0 0");
     assert!(refusal(many.as_bytes()).contains("ends before"));

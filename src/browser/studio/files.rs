@@ -5,8 +5,8 @@ use super::wish::OPEN;
 use super::with;
 use super::work::{Said, Work};
 use super::{bring_in, own};
-use crate::browser::dom::{document, find, on, set_flag, window};
-use js_sys::{Array, Reflect, Uint8Array};
+use crate::browser::dom::{document, find, member, on, set_flag, window};
+use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Blob, BlobPropertyBag, DragEvent, Element, File, FileList, HtmlAnchorElement, Url};
@@ -34,8 +34,9 @@ pub fn save(name: &str, bytes: &Uint8Array) {
 
 /// Opens files that are dropped on the page, and what the page has kept of those that came before.
 pub fn take_what_is_dropped() {
-    let kept = Reflect::get(&document(), &"files".into()).unwrap_or_default();
-    if let Some(file) = kept.dyn_into::<FileList>().ok().and_then(|files| files.get(0)) {
+    if let Some(file) =
+        member(&document(), "files").dyn_into::<FileList>().ok().and_then(|files| files.get(0))
+    {
         open(file);
     }
     let listener = on(&document(), "drop", |event: DragEvent| {
