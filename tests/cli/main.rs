@@ -2,6 +2,7 @@
 
 mod exports;
 mod fits;
+mod leaves;
 mod plants;
 mod shapes;
 mod sweeps;
