@@ -203,6 +203,7 @@ impl Stage {
         let (generation, day, count) = (shown.generation, shown.day, shown.facts.count.cells);
         let picture = Picture {
             plant: shown.scene.plant,
+            individual: shown.scene.individual,
             look: &shown.scene.look,
             show: shown.scene.show,
             mesh,

@@ -54,16 +54,32 @@ pub fn with_link(png: &[u8], link: &str, per_metre: u32) -> Option<Vec<u8>> {
     Some(bytes)
 }
 
-/// The PNG of a square of pixels, three bytes each in sRGB, row by row from the top.
+/// What a pixel says, a byte for each part.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Channels {
+    /// Three parts, in sRGB.
+    Colour,
+    /// Three parts, -1 to 1.
+    Direction,
+    /// One, 0 to 1.
+    Number,
+}
+
+/// The PNG of a square of pixels, row by row from the top.
 ///
 /// # Errors
 /// Pixels that are not as many as the side says.
-pub(super) fn write_opaque(side_px: u32, pixels: &[u8]) -> io::Result<Vec<u8>> {
+pub(super) fn write_square(side_px: u32, channels: Channels, pixels: &[u8]) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, side_px, side_px);
-    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_color(match channels {
+        Channels::Number => png::ColorType::Grayscale,
+        _ => png::ColorType::Rgb,
+    });
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    if channels == Channels::Colour {
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    }
     let mut png = encoder.write_header().map_err(io::Error::other)?;
     png.write_image_data(pixels).map_err(io::Error::other)?;
     png.finish().map_err(io::Error::other)?;
@@ -91,7 +107,7 @@ mod tests {
     #[test]
     fn a_link_is_put_into_a_picture_of_a_browser() {
         let link = "cactus?v=1&s=2&d=3";
-        let plain = write_opaque(1, &[7, 8, 9]).unwrap();
+        let plain = write_square(1, Channels::Colour, &[7, 8, 9]).unwrap();
         let bytes = with_link(&plain, link, 11_811).unwrap();
         let mut reader = png::Decoder::new(io::Cursor::new(&bytes)).read_info().unwrap();
         let mut read = [0; 3];

@@ -97,10 +97,12 @@ fn link_of_plant(document: &Value) -> Result<String, String> {
     let text = |field: &str| document["names"][field].as_str().unwrap_or_default();
     let without_numbers = |document: &Value| {
         let mut rest = document.as_object().cloned().unwrap_or_default();
-        rest.retain(|field, _| !["recipe", "look"].contains(&field.as_str()));
+        rest.retain(|field, _| !["rules", "recipe", "look"].contains(&field.as_str()));
         rest
     };
-    let own = plants::find(text("key")).filter(|own| {
+    let version = document["rules"].as_u64().unwrap_or(1) as u32;
+    let of_version = plants::find(text("key")).and_then(|newest| newest.under(version));
+    let own = of_version.filter(|own| {
         let own: Value = serde_json::from_str(&own.to_json()).expect("documents are JSON");
         without_numbers(&own) == without_numbers(document)
     });

@@ -86,6 +86,7 @@ impl Easel {
         let camera = Camera::new(shot.orbit);
         let picture = Picture {
             plant: self.scene.plant,
+            individual: self.scene.individual,
             look: &self.scene.look,
             show: shot.show,
             mesh: Some(&self.mesh),

@@ -23,6 +23,7 @@ pub(in crate::browser) struct OnStage {
 /// What is to be drawn.
 pub(in crate::browser) struct Picture<'a> {
     pub(in crate::browser) plant: &'static Plant,
+    pub(in crate::browser) individual: u32,
     pub(in crate::browser) look: &'a Look,
     pub(in crate::browser) show: Show,
     /// The text of the plant's mesh, once it has come.
@@ -59,6 +60,7 @@ impl<'a> Picture<'a> {
         });
         Picture {
             plant: scene.plant,
+            individual: scene.individual,
             look: &scene.look,
             show: scene.show,
             mesh: page.mesh(),
@@ -76,7 +78,9 @@ impl<'a> Picture<'a> {
         let painted = self.cells.as_ref().and_then(|cells| cells.painted);
         let paint = painted.map(|(_, paint)| paint).unwrap_or_default();
         let shape = on.and_then(|on| self.shape(on));
-        Wanted { plant: self.plant.key, shape, look: self.look, show: self.show, cells, paint }
+        let Picture { plant, look, show, .. } = *self;
+        let individual = (plant.rules, self.individual);
+        Wanted { plant: plant.key, shape, individual, look, show, cells, paint }
     }
 
     /// The day on which a body that moves stands as it is to be drawn. What leads the cells is seen on it as it
@@ -102,7 +106,8 @@ impl<'a> Picture<'a> {
             (Part::Shape, _) => renderer.set_shape(&on.geometry),
             (Part::Look, _) => renderer.set_look(self.look, &on.geometry),
             (Part::Show, _) => {
-                renderer.set_diagram(&self.show.diagram(self.plant, &on.body.surface))?;
+                let surface = &on.body.surface;
+                renderer.set_diagram(&self.show.diagram(self.plant, self.individual, surface))?;
             }
             (Part::Cells, Some(cells)) => {
                 let surface = &on.body().surface;

@@ -69,7 +69,7 @@ impl TakeAway {
         let citation = format!(
             "{told}. Clonal Mosaic {}, link version {}, fingerprint {fingerprint}. {address}",
             env!("CARGO_PKG_VERSION"),
-            link::VERSION
+            scene.plant.rules as u32
         );
         for (part, text) in [(".link", &address), (".embed", &embed), (".citation", &citation)] {
             let area: HtmlTextAreaElement = within(&self.dialog, part);
