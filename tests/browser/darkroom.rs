@@ -2,7 +2,7 @@
 
 use crate::base64;
 use crate::engines::Graphics;
-use crate::page::{Page, Picture};
+use crate::page::{Page, Picture, keys};
 use crate::studio::{downloads, take};
 use serde_json::json;
 use std::path::Path;
@@ -95,6 +95,16 @@ fn a_flower_opens_in_a_film_from_day_0_to_the_last_day() {
         let folder = downloads(&page, "filmed");
         assert!(!page.server.requested().iter().any(|name| name.contains("darkroom")));
         open_dialog(&page);
+        // A long one is not waited for.
+        choose(&page, "film-size", "1920 1080");
+        choose(&page, "film-seconds", "16");
+        page.run("document.querySelector('[data-take=film]').click()");
+        page.wait_for(
+            "a film to be begun",
+            "return /Growing|of/.test(document.querySelector('#take-away-dialog .said').textContent)",
+        );
+        page.run("document.querySelector('#take-away-dialog .stop').click()");
+        assert_eq!(told(&page, "said"), "Stopped.");
         choose(&page, "film-size", "640 360");
         choose(&page, "film-seconds", "4");
         assert!(told(&page, "film-told").starts_with("120 frames, 4 s, 640 × 360 pixels, up to"));
@@ -124,6 +134,8 @@ fn a_flower_opens_in_a_film_from_day_0_to_the_last_day() {
         for (name, bytes) in [("a.mp4", &film), ("a.gif", &gif)] {
             page.visit("#watermelon?v=1&s=2&d=0");
             page.on_day(0);
+            open_dialog(&page);
+            page.press(&[keys::ESCAPE]);
             page.drop(name, "application/octet-stream", bytes);
             page.wait("the plant of the film", |s| s.plant == "lotus" && s.day == "1");
             assert_eq!(page.link(), FLOWER);
@@ -225,7 +237,7 @@ fn large_pictures_are_what_the_page_shows_and_open_again() {
     let ink = (3300..3500).flat_map(|y| (0..1200).map(move |x| (x, y)));
     assert!(ink.filter(|&(x, y)| grey(x, y) < 100).count() > 2_000);
 
-    page.press(&[crate::page::keys::ESCAPE]);
+    page.press(&[keys::ESCAPE]);
     page.choose("watermelon");
     page.wait("another plant", |s| s.plant == "watermelon");
     page.drop("a.png", "image/png", &png);

@@ -25,7 +25,8 @@ impl Paper {
         let small = Paper::new(light.width(), light.height(), false)?;
         let failed = |_: JsValue| "The stage cannot be painted.".to_string();
         small.pen.put_image_data(light, 0.0, 0.0).map_err(failed)?;
-        self.pen.set_image_smoothing_enabled(true);
+        // Cubic: between straight ramps the eye sees edges.
+        let _ = js_sys::Reflect::set(&self.pen, &"imageSmoothingQuality".into(), &"high".into());
         self.pen
             .draw_image_with_offscreen_canvas_and_dw_and_dh(
                 &small.canvas,
