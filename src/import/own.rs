@@ -64,7 +64,8 @@ pub fn of_mesh(file: &[u8], name: &str, scene: &Scene) -> Result<Own, String> {
     let high = mesh.positions.iter().copied().reduce(|a, b| a.max(b)).unwrap_or_default();
     let size_cm = (high - low).max_element();
     if !SIZES_CM.contains(&size_cm) {
-        mesh.positions.iter_mut().for_each(|at| *at *= USUAL_CM / size_cm);
+        let then = mesh.moments.iter_mut().flat_map(|moment| &mut moment.positions);
+        mesh.positions.iter_mut().chain(then).for_each(|at| *at *= USUAL_CM / size_cm);
         told.push(format!("{size_cm} cm large, so it was made {USUAL_CM} cm"));
     }
     let Scene { plant, recipe, look, .. } = scene;

@@ -119,7 +119,7 @@ fn images(mesh: &Mesh, controls: Vec<Control>) -> Diagram {
         let grey = |kind: CellType| GREYS[kind as usize];
         let [from, black, white] = match use_as {
             Use::FirstCells { of, instead } => [of, instead, of].map(grey),
-            Use::Scale { .. } => [1.0, 0.0, 1.0],
+            Use::Scale { .. } | Use::Wall => [1.0, 0.0, 1.0],
             Use::Colour { of } => {
                 let untinted = 0.65 * grey(of);
                 [grey(of), untinted, untinted + 0.35]

@@ -25,6 +25,7 @@ mod croton_shrub;
 mod diagram;
 mod document;
 mod expected;
+mod ficus;
 mod fittonia;
 mod goeppertia;
 mod guides;
@@ -55,7 +56,7 @@ mod winter_squash;
 mod words;
 
 use crate::surface::{Body, DirectionField, Mesh, ObjError, SurfaceError};
-use crate::tissue::{Control, Growth, Recipe, RecipeError};
+use crate::tissue::{Control, Growth, Recipe, RecipeError, Use};
 pub use brought::{OWN, bring, brought, to_text};
 use chance::Chance;
 pub use diagram::{Diagram, Layer};
@@ -143,10 +144,14 @@ impl Plant {
         Ok(self.growing(self.body.grow(obj)?))
     }
 
-    /// A body that grows as the plant's own does.
+    /// A body that grows as the plant's own does, with its walls.
     pub fn growing(&self, body: Body) -> Body {
         let sizes = self.motion.growth.iter().map(|s| (s.day as f32, Vec3::from(s.factors)));
-        body.stretched(&sizes.collect::<Vec<_>>())
+        let mut body = body.stretched(&sizes.collect::<Vec<_>>());
+        for wall in self.paint.iter().filter(|paint| paint.use_as == Use::Wall) {
+            wall.control(Chance::PLANT).wall_off(&mut body.surface);
+        }
+        body
     }
 
     /// The plant as links of a version of the rules have it, if it was there then.
@@ -236,7 +241,7 @@ pub struct View {
 
 /// All plants in the order of the chooser, kind by kind.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 24] = [
+    static ALL: [Plant; 25] = [
         croton::PLANT,
         cactus::PLANT,
         mushroom::PLANT,
@@ -258,6 +263,7 @@ pub fn all() -> &'static [Plant] {
         fittonia::PLANT,
         goeppertia::PLANT,
         coleus::PLANT,
+        ficus::PLANT,
         lily::PLANT,
         lotus::PLANT,
         tiger_lily::PLANT,
@@ -289,11 +295,12 @@ fn earlier() -> &'static [Plant] {
 
 /// How far a pattern has a structure of its own beside what clones make, and how many plants are of that kind; the last
 /// ones move.
-const KINDS: [(Text, usize); 5] = [
+const KINDS: [(Text, usize); 6] = [
     ("Not structured", 8),
     ("Partly structured", 4),
     ("Structured", 5),
     ("Led by veins", 4),
+    ("Branched by a rule", 1),
     ("Flowers that open", 3),
 ];
 

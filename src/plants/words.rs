@@ -245,7 +245,7 @@ choices! {
         4: Warts { 0: rule }, 5: Rims { 0: rule }, 6: Margins { 0: rule }, 7: Bands { 0: rule },
         8: Pixels { 0: rule } }
     Use or Use::FOREGROUND; { 0: FirstCells { of: of, instead: instead }, 1: Scale { number: number, black: black, white: white },
-        2: Colour { of: of } }
+        2: Colour { of: of }, 3: Wall {} }
     Scaled or Scaled::Repulsion; { 0: DivisionDays { 0: kind }, 1: RadiusScale {}, 2: Repulsion {}, 3: Adhesion { 0: a, 1: b } }
     GuideVector or GuideVector::OnLeaves { at: Vec2::ZERO, direction: Vec2::ZERO }; { 0: OnLeaves { at: at, direction: direction },
         1: Near { point_cm: point, direction: direction }, 2: AlongVeins { order: order } }

@@ -55,7 +55,7 @@ const LARGEST_CM: f64 = 1e6;
 impl Brought {
     /// Reads an OBJ or PLY file in centimetres, or a GLB file in metres.
     ///
-    /// Corners at exactly the same place that follow each other are one, faces that stand twice are
+    /// Moments stay. Corners at exactly the same place, at all moments, that follow each other are one, faces that stand twice are
     /// taken once, rim edges are joined where exactly two have the same ends, and polygons that are not
     /// convex are cut along their inside. Of the parts without cells nothing is joined or left out.
     ///
@@ -72,14 +72,17 @@ impl Brought {
         };
         let origin = origin(&places, &mesh.faces)?;
         mesh.positions = places.iter().map(|&place| (place - origin).as_vec3()).collect();
-        // Vertices are joined and added: those of the moments would be others.
-        mesh.moments = Vec::new();
+        for moment in &mut mesh.moments {
+            for place in &mut moment.positions {
+                *place = (place.as_dvec3() - origin).as_vec3();
+            }
+        }
 
         let faces = std::mem::take(&mut mesh.faces);
         let (bare, patterned): (Vec<Face>, Vec<Face>) =
             faces.into_iter().partition(|face| mesh.bare_name(face.group as usize).is_some());
         let named = triangles(&patterned);
-        let same = stitch::same_places(&places);
+        let same = stitch::same_places(&places, &mesh.moments);
         mesh.faces = stitch::once(patterned, &same);
         let joined_edges = stitch::join_rims(&mut mesh, &same);
         mesh.faces.extend(bare);

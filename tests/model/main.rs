@@ -21,6 +21,7 @@ mod texts;
 mod tiling;
 mod veins;
 mod walking;
+mod walls;
 
 use clonal_mosaic::surface::{DirectionField, Mesh};
 use clonal_mosaic::tissue::{Diary, Growth, Progress, Recipe};
