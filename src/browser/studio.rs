@@ -6,6 +6,7 @@ mod atlas;
 mod bring_in;
 mod charts;
 mod class;
+mod darkroom;
 mod files;
 mod fit;
 mod leaflet;

@@ -3,13 +3,13 @@
 use super::cells::write_cells;
 use super::clones::write_clones;
 use super::days::DayNumbers;
+use super::flats::Flats;
 use super::glb::write_glb;
 use super::kind::Kind;
 use super::leaves::LeafSet;
 use super::obj::{write_mtl, write_obj};
 use super::picture::{Channels, write_square};
 use super::ply::write_ply;
-use super::sheets::Sheets;
 use super::specimen::Specimen;
 use super::svg::write_svg;
 use super::three_mf::write_3mf;
@@ -116,7 +116,8 @@ impl Order {
         let mesh = &*self.mesh.on(day as u32);
         let ornaments: Vec<Ornament> =
             self.ornaments.iter().map(|part| part.on(day as u32)).collect();
-        let (body, controls) = ((&*self.mesh, mesh, &ornaments[..]), self.scene.plant.controls());
+        let (body, controls) =
+            ((&*self.mesh, mesh, &ornaments[..]), self.scene.plant.controls(self.scene.individual));
         let link = self.link(day);
         take(&Specimen::new(body, &self.scene.look, &controls, (diary, day), link))
     }
@@ -163,7 +164,9 @@ impl Order {
     /// The link that shows it, or, of a plant that is not in the catalogue, its name.
     fn link(&self, day: usize) -> String {
         let scene = &self.scene;
-        if plants::find(scene.plant.key).is_some_and(|own| own == scene.plant) {
+        let of_catalogue =
+            plants::find(scene.plant.key).and_then(|newest| newest.under(scene.plant.rules as u32));
+        if of_catalogue == Some(scene.plant) {
             let shown = Scene { day: day as u32, show: Show::Cells, ..scene.clone() };
             return link::write(&shown);
         }
@@ -206,8 +209,8 @@ fn write_specimen(kind: Kind, specimen: &Specimen, name: &str) -> Result<Written
     let triangles = format!("{} triangles", specimen.triangle_count());
     match kind {
         Kind::Svg => {
-            let sheets = Sheets::new(specimen)?;
-            Ok(file(|out| write_svg(specimen, &sheets, out))?.told(sheets.told()))
+            let flats = Flats::new(specimen)?;
+            Ok(file(|out| write_svg(specimen, &flats, out))?.told(flats.told()))
         }
         Kind::ThreeMf => counted(|out| write_3mf(specimen, out)),
         Kind::Usdz => counted(|out| write_usdz(specimen, out)),
@@ -232,13 +235,13 @@ pub fn write_leaves(grown: &[(&Order, &Diary)]) -> Result<Written, String> {
     for (k, (order, diary)) in grown.iter().enumerate() {
         let painted = order.painted(diary, diary.days.len() - 1);
         order.specimen(painted.as_ref().unwrap_or(diary), |specimen| {
-            let sheets = Sheets::new(specimen)?;
+            let flats = Flats::new(specimen)?;
             let has_veins = specimen.mesh.veins.any(u32::MAX);
             let set = set.get_or_insert_with(|| {
-                (link, told) = (specimen.link.clone(), sheets.told());
-                LeafSet::new(&sheets, grown.len() as u32, has_veins)
+                (link, told) = (specimen.link.clone(), flats.told());
+                LeafSet::new(&flats, grown.len() as u32, has_veins)
             });
-            set.draw(k, order.scene.individual, specimen, &sheets);
+            set.draw(k, order.scene.individual, specimen, &flats);
             Ok::<(), String>(())
         })?;
     }
