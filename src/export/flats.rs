@@ -30,21 +30,21 @@ impl Flats {
     /// # Errors
     /// In plain words, why nothing of it can be.
     pub fn new(specimen: &Specimen) -> Result<Flats, String> {
-        let mut sheets = Flats { pieces: Vec::new(), left_out: Vec::new(), stretch: 0.0 };
+        let mut flats = Flats { pieces: Vec::new(), left_out: Vec::new(), stretch: 0.0 };
         for part in 0..specimen.mesh.part_count() as u32 {
             match lay_flat(specimen.mesh, part) {
                 Ok(sheet) => {
-                    sheets.stretch += sheet.stretch;
-                    sheets.pieces.push(Flat::new(specimen, part, &sheet));
+                    flats.stretch += sheet.stretch;
+                    flats.pieces.push(Flat::new(specimen, part, &sheet));
                 }
-                Err(why) => sheets.left_out.push((part, why.to_string())),
+                Err(why) => flats.left_out.push((part, why.to_string())),
             }
         }
-        if sheets.pieces.is_empty() {
-            return Err(format!("nothing of this plant can be laid flat: {}", sheets.why()));
+        if flats.pieces.is_empty() {
+            return Err(format!("nothing of this plant can be laid flat: {}", flats.why()));
         }
-        sheets.stretch /= sheets.pieces.len() as f64;
-        Ok(sheets)
+        flats.stretch /= flats.pieces.len() as f64;
+        Ok(flats)
     }
 
     /// How many lie flat and how much they are stretched, and what is left out, in a few words.

@@ -48,12 +48,12 @@ struct Pixel {
 }
 
 impl LeafSet {
-    /// Gives so many individuals with these sheets their places, as large as they fit.
-    pub fn new(sheets: &Flats, individuals: u32, has_veins: bool) -> LeafSet {
+    /// Gives so many individuals with these flats their places, as large as they fit.
+    pub fn new(flats: &Flats, individuals: u32, has_veins: bool) -> LeafSet {
         let side = (1..).find(|side| side * side >= individuals).unwrap_or(1);
         let side_px = SIDE_PX * side;
         let sizes: Vec<DVec2> =
-            (0..individuals).flat_map(|_| sheets.pieces.iter().map(|flat| flat.size)).collect();
+            (0..individuals).flat_map(|_| flats.pieces.iter().map(|flat| flat.size)).collect();
         let largest = sizes.iter().map(|size| size.max_element()).fold(f64::MIN_POSITIVE, f64::max);
         let (mut fits, mut too_large) = (0.0, f64::from(side_px) / largest);
         let mut corners = vec![[GAP_PX; 2]; sizes.len()];
@@ -79,9 +79,9 @@ impl LeafSet {
     }
 
     /// Draws the leaves of an individual, the `k`-th, whose number is given, too.
-    pub fn draw(&mut self, k: usize, individual: u32, specimen: &Specimen, sheets: &Flats) {
-        for (piece, flat) in sheets.pieces.iter().enumerate() {
-            let corner = self.corners[k * sheets.pieces.len() + piece];
+    pub fn draw(&mut self, k: usize, individual: u32, specimen: &Specimen, flats: &Flats) {
+        for (piece, flat) in flats.pieces.iter().enumerate() {
+            let corner = self.corners[k * flats.pieces.len() + piece];
             let size_px = (flat.size * self.px_per_mm).to_array().map(|x| x.ceil() as usize);
             self.draw_leaf(corner, size_px, specimen, flat);
             self.told.push(json!({

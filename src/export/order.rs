@@ -209,8 +209,8 @@ fn write_specimen(kind: Kind, specimen: &Specimen, name: &str) -> Result<Written
     let triangles = format!("{} triangles", specimen.triangle_count());
     match kind {
         Kind::Svg => {
-            let sheets = Flats::new(specimen)?;
-            Ok(file(|out| write_svg(specimen, &sheets, out))?.told(sheets.told()))
+            let flats = Flats::new(specimen)?;
+            Ok(file(|out| write_svg(specimen, &flats, out))?.told(flats.told()))
         }
         Kind::ThreeMf => counted(|out| write_3mf(specimen, out)),
         Kind::Usdz => counted(|out| write_usdz(specimen, out)),
@@ -235,13 +235,13 @@ pub fn write_leaves(grown: &[(&Order, &Diary)]) -> Result<Written, String> {
     for (k, (order, diary)) in grown.iter().enumerate() {
         let painted = order.painted(diary, diary.days.len() - 1);
         order.specimen(painted.as_ref().unwrap_or(diary), |specimen| {
-            let sheets = Flats::new(specimen)?;
+            let flats = Flats::new(specimen)?;
             let has_veins = specimen.mesh.veins.any(u32::MAX);
             let set = set.get_or_insert_with(|| {
-                (link, told) = (specimen.link.clone(), sheets.told());
-                LeafSet::new(&sheets, grown.len() as u32, has_veins)
+                (link, told) = (specimen.link.clone(), flats.told());
+                LeafSet::new(&flats, grown.len() as u32, has_veins)
             });
-            set.draw(k, order.scene.individual, specimen, &sheets);
+            set.draw(k, order.scene.individual, specimen, &flats);
             Ok::<(), String>(())
         })?;
     }

@@ -19,8 +19,8 @@ const GAP_MM: f64 = 5.0;
 ///
 /// # Errors
 /// What `out` says.
-pub fn write_svg(specimen: &Specimen, sheets: &Flats, out: &mut impl Write) -> io::Result<()> {
-    let (corners, size) = rows(sheets);
+pub fn write_svg(specimen: &Specimen, flats: &Flats, out: &mut impl Write) -> io::Result<()> {
+    let (corners, size) = rows(flats);
     let link = specimen.link.replace('&', "&amp;").replace('<', "&lt;");
     writeln!(
         out,
@@ -28,7 +28,7 @@ pub fn write_svg(specimen: &Specimen, sheets: &Flats, out: &mut impl Write) -> i
          viewBox=\"0 0 {0:.2} {1:.2}\">\n<desc>Clonal Mosaic {link}</desc>",
         size.x, size.y
     )?;
-    for (flat, corner) in sheets.pieces.iter().zip(corners) {
+    for (flat, corner) in flats.pieces.iter().zip(corners) {
         writeln!(out, "<g id=\"part_{}\">", flat.part)?;
         for kind in CellType::ALL {
             let of_kind = |facet: &&Facet| {
@@ -61,13 +61,13 @@ pub fn write_svg(specimen: &Specimen, sheets: &Flats, out: &mut impl Write) -> i
 }
 
 /// Where each sheet has its upper left corner, and the size of it all.
-fn rows(sheets: &Flats) -> (Vec<DVec2>, DVec2) {
-    let area: f64 = sheets.pieces.iter().map(|flat| flat.size.x * flat.size.y).sum();
-    let widest = sheets.pieces.iter().map(|flat| flat.size.x).fold(0.0, f64::max);
+fn rows(flats: &Flats) -> (Vec<DVec2>, DVec2) {
+    let area: f64 = flats.pieces.iter().map(|flat| flat.size.x * flat.size.y).sum();
+    let widest = flats.pieces.iter().map(|flat| flat.size.x).fold(0.0, f64::max);
     let width = widest.max(1.3 * area.sqrt()) + 2.0 * GAP_MM;
     let (mut next, mut row) = (DVec2::splat(GAP_MM), 0.0f64);
     let mut corners = Vec::new();
-    for flat in &sheets.pieces {
+    for flat in &flats.pieces {
         if next.x > GAP_MM && next.x + flat.size.x + GAP_MM > width {
             next = DVec2::new(GAP_MM, next.y + row + GAP_MM);
             row = 0.0;

@@ -121,8 +121,12 @@ fn the_dialog_makes_steps_and_compares() {
 
 #[test]
 fn two_numbers_make_a_map_that_leads_closer() {
-    let Some(page) = Page::open(Graphics::WebGpu, "#mushroom?v=1&s=2&d=1") else { return };
+    let Some(page) = Page::open(Graphics::Neither, "#mushroom?v=1&s=2&d=1&n=300") else { return };
     page.ready();
+    // All pictures have grown, and stand in rows and columns.
+    let has_grown =
+        "return document.querySelectorAll('#figure-list .picture[data-count]').length === 25
+        && !!document.querySelector('#figure-list .axes')";
     page.click("series");
     page.wait_for("the dialog", "return document.getElementById('series-dialog')?.open === true");
     page.run(
@@ -147,12 +151,12 @@ fn two_numbers_make_a_map_that_leads_closer() {
          dialog.querySelector('.and .count').value = '5';
          dialog.querySelector('[data-grow=steps]').click()",
     );
-    wait_for_pictures(&page, 25);
-    let map = "#steps/mushroom?v=1&s=2&d=1&pf=0.2,0.3,0.4,0.5,0.6&df=4,6,8,10,12";
+    page.wait_for("the map", has_grown);
+    let map = "#steps/mushroom?v=1&s=2&d=1&n=300&pf=0.2,0.3,0.4,0.5,0.6&df=4,6,8,10,12";
     assert_eq!(page.run("return location.hash"), map);
 
     // Five rows of five, the first number across and the second one down.
-    page.wait_for("the map", "return !!document.querySelector('#figure-list .axes')");
+    page.wait_for("the map", has_grown);
     let places = "const all = [...document.querySelectorAll('#figure-list .picture')];
         const box = k => all[k].getBoundingClientRect();
         return [box(0).top === box(4).top, box(5).top > box(4).bottom - 1, box(5).left === box(0).left,
@@ -180,21 +184,17 @@ fn two_numbers_make_a_map_that_leads_closer() {
         "return location.hash.includes('pf=0.3,0.35,0.4,0.45,0.5')",
     );
     assert!(page.link().ends_with("df=6,7,8,9,10"), "{}", page.link());
-    wait_for_pictures(&page, 25);
-    page.wait_for("the map", "return !!document.querySelector('#figure-list .axes')");
+    page.wait_for("the map", has_grown);
     page.run("document.querySelector('#figure-list .wider').click()");
     page.wait_for("what was before", &format!("return location.hash === '{map}'"));
-    wait_for_pictures(&page, 25);
-    page.wait_for("the map", "return !!document.querySelector('#figure-list .axes')");
+    page.wait_for("the map", has_grown);
 
     // Without the button a picture leads to its plant.
     page.run("document.querySelector('#figure-list .closer').click()");
     page.run("document.querySelectorAll('#figure-list .picture')[6].click()");
     let state = page.ready();
-    assert_eq!(
-        (state.plant.as_str(), page.link()),
-        ("mushroom", "mushroom?v=1&s=2&d=1&pf=0.3&df=6".into())
-    );
+    assert_eq!(state.plant, "mushroom");
+    assert_eq!(page.link(), "mushroom?v=1&s=2&d=1&n=300&pf=0.3&df=6");
     assert_eq!(page.complaints(), [""; 0]);
 }
 

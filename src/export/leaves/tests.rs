@@ -21,17 +21,17 @@ fn pixels_have_the_colours_of_the_cells_that_the_shader_finds_there() {
     for key in ["begonia", "croton"] {
         let (plant, mesh, diary) = grown(key);
         let day = diary.days.len() - 1;
-        let controls = plant.controls(1);
+        let controls = plant.controls(3);
         let body = (&*mesh, &*mesh, &[][..]);
         let specimen = Specimen::new(body, &plant.look, &controls, (&diary, day), String::new());
-        let sheets = Flats::new(&specimen).unwrap();
-        let mut set = LeafSet::new(&sheets, 1, mesh.veins.any(9));
-        set.draw(0, 3, &specimen, &sheets);
+        let flats = Flats::new(&specimen).unwrap();
+        let mut set = LeafSet::new(&flats, 1, mesh.veins.any(9));
+        set.draw(0, 3, &specimen, &flats);
         let lists = SiteFinder::new(&mesh).coloured(controls).find(&mesh, &diary, day);
 
         let (mut same, mut other, mut covered) = (0u32, 0u32, 0.0);
         let (mut vein_pixels, mut near_midrib) = (0u32, 0u32);
-        for (flat, corner) in sheets.pieces.iter().zip(&set.corners) {
+        for (flat, corner) in flats.pieces.iter().zip(&set.corners) {
             for t in (0..mesh.triangles.len()).filter(|&t| mesh.parts[t] == flat.part) {
                 let own = mesh.triangles[t].map(|v| flat.places[v as usize] * set.px_per_mm);
                 // The centre, and a point towards each corner.
@@ -84,7 +84,7 @@ fn pixels_have_the_colours_of_the_cells_that_the_shader_finds_there() {
         }
         // Only pixels on borders of cells are mixed.
         assert!(same > 6 * other, "{key}: {same} pixels are the same, and {other} are not");
-        let parts = sheets.pieces.iter().map(|flat| flat.part);
+        let parts = flats.pieces.iter().map(|flat| flat.part);
         let cm2: f32 = parts
             .map(|part| {
                 let of_part = (0..mesh.triangles.len()).filter(|&t| mesh.parts[t] == part);
