@@ -2,11 +2,12 @@
 //! halves that know nothing of each other.
 
 use super::paint::{Image, ImageRule, Paint, Pixels};
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Levels, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::surface::Wrap;
 use crate::tissue::{Clock, Recipe, Use};
 
 pub const PLANT: Plant = Plant {
+    rules: Rules::First,
     key: "ficus",
     name: "Weeping fig",
     latin: "Ficus benjamina",

@@ -8,6 +8,7 @@ mod few_cells;
 mod field;
 mod forces;
 mod growth;
+mod individuals;
 mod meshes;
 mod mosaic;
 mod moving;
