@@ -47,7 +47,7 @@ fn hash() -> String {
 }
 
 fn beside(hash: &str) -> &str {
-    &hash[hash.find('~').unwrap_or(hash.len())..]
+    hash.find('~').and_then(|at| hash.get(at..)).unwrap_or_default()
 }
 
 /// Makes a link the fragment, in the place of the one that is there; what is the studio's stays.

@@ -2,7 +2,7 @@
 //! bundle for that.
 
 use super::address::mark_ui;
-use super::dom::{document, find, set_attribute, set_flag, window};
+use super::dom::{document, set_attribute, set_flag, window};
 use super::files::{self, in_bundles, is_held};
 use crate::plants::OWN;
 use js_sys::Promise;
@@ -13,13 +13,16 @@ use web_sys::{Element, HtmlCanvasElement, HtmlScriptElement};
 /// one can show the still picture just as well.
 ///
 /// What there is to draw with takes longest to find out, so it is asked first, while the rest of the
-/// page is still being read. Nothing here is a future: what runs those is a kilobyte.
+/// page is still being read. Nothing here is a future, writes numbers or says
+/// why it panics: what does is a kilobyte each.
 pub fn boot() {
     mark_ui();
     let adapter = ask_for_adapter();
     let begin = move || {
         // What is told where nothing of this runs.
-        find::<Element>("stuck").remove();
+        if let Some(stuck) = element("stuck") {
+            stuck.remove();
+        }
         show_poster();
         tell_failed_bundles();
         match adapter {
@@ -49,7 +52,8 @@ fn choose(has_webgpu: bool) {
 /// A bundle may fail after its script came: its WebAssembly is refused, or too new for the browser.
 fn tell_failed_bundles() {
     let hear = Closure::<dyn FnMut()>::new(|| {
-        if root().get_attribute("data-state").as_deref() == Some("loading") {
+        let state = document().document_element().and_then(|root| root.get_attribute("data-state"));
+        if state.as_deref() == Some("loading") {
             tell_failure();
         }
     });
@@ -60,38 +64,49 @@ fn tell_failed_bundles() {
 /// Says that nothing runs until the next bundle does.
 #[cfg(feature = "draw")]
 pub fn begin_again() {
-    set_attribute(&root(), "data-state", "loading");
+    mark_state("loading");
+}
+
+fn mark_state(state: &str) {
+    if let Some(root) = document().document_element() {
+        set_attribute(&root, "data-state", state);
+    }
 }
 
 fn tell_failure() {
     let text = "The playground could not be loaded. Please load the page again, or try it with a \
                 newer browser.";
-    find::<Element>("message-list").set_text_content(Some(text));
-    set_flag(&find::<Element>("messages"), "hidden", false);
-    set_attribute(&root(), "data-state", "error");
+    if let Some((list, around)) = element("message-list").zip(element("messages")) {
+        list.set_text_content(Some(text));
+        set_flag(&around, "hidden", false);
+    }
+    mark_state("error");
 }
 
 /// Shows the still picture of the linked plant: it is there long before the bundle that knows the
 /// plants, which mends what was not understood here.
 fn show_poster() {
     let fragment = window().location().hash().unwrap_or_default();
-    let name = fragment.trim_start_matches('#').split('?').next().unwrap_or_default();
+    let name = fragment.strip_prefix('#').unwrap_or_default();
+    let name = name.split_once('?').map_or(name, |(name, _)| name);
     let is_name = !matches!(name, "" | "figures")
         && !name.starts_with(OWN)
         && name.bytes().all(|b| b.is_ascii_lowercase() || b == b'-');
     let plant = if is_name { name } else { "croton" };
-    let address = files::address(&format!("posters/{plant}.avif"));
-    set_attribute(&find::<Element>("poster"), "src", address);
+    if let Some(poster) = element("poster") {
+        set_attribute(&poster, "src", files::address(&["posters/", plant, ".avif"].concat()));
+    }
 }
 
 /// Loads a bundle and starts its page.
 pub fn load(bundle: &str, on_failure: impl FnOnce() + 'static) {
-    let address = in_bundles(&format!("{bundle}.js"));
+    let address = in_bundles(&[bundle, ".js"].concat());
     if !is_held(&address) {
         // The script would ask for it only when it is there itself.
-        preload_wasm(&in_bundles(&format!("{bundle}_bg.wasm")));
+        preload_wasm(&in_bundles(&[bundle, "_bg.wasm"].concat()));
     }
-    let script = document().create_element("script").expect("documents make scripts");
+    // Documents make every element.
+    let Ok(script) = document().create_element("script") else { return };
     let script: HtmlScriptElement = script.unchecked_into();
     script.set_type("module");
     script.set_src(&address);
@@ -100,7 +115,7 @@ pub fn load(bundle: &str, on_failure: impl FnOnce() + 'static) {
 }
 
 fn preload_wasm(address: &str) {
-    let link = document().create_element("link").expect("documents make links");
+    let Ok(link) = document().create_element("link") else { return };
     set_attribute(&link, "rel", "preload");
     set_attribute(&link, "as", "fetch");
     set_attribute(&link, "crossorigin", "anonymous");
@@ -108,12 +123,14 @@ fn preload_wasm(address: &str) {
     append_to_head(&link);
 }
 
-fn root() -> Element {
-    document().document_element().expect("a document has a root")
+fn element(id: &str) -> Option<Element> {
+    document().get_element_by_id(id)
 }
 
 fn append_to_head(element: &Element) {
-    let _ = document().head().expect("a page has a head").append_child(element);
+    if let Some(head) = document().head() {
+        let _ = head.append_child(element);
+    }
 }
 
 /// Asks the browser, if it has WebGPU, for something to run it on.

@@ -8,6 +8,7 @@ use super::dom::{
 use super::files;
 use crate::plants;
 use crate::play::page::{Event, Page, State};
+use crate::surface::holds;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlInputElement};
 
@@ -101,7 +102,7 @@ fn show_found(list: &Element, text: &str) -> bool {
     let (mut kind, mut found): (Option<Element>, bool) = (None, false);
     for item in (0..).map_while(|k| list.children().item(k)) {
         let words = item.get_attribute(WORDS);
-        let is_found = words.as_ref().is_some_and(|words| words.contains(text));
+        let is_found = words.as_ref().is_some_and(|words| holds(words, text));
         set_flag(&item, "hidden", !is_found);
         if words.is_none() {
             kind = Some(item);

@@ -13,6 +13,7 @@ use crate::play::link::INDIVIDUAL;
 use crate::play::page::{Event, Page, State};
 use crate::play::strip::rgb;
 use crate::play::words;
+use crate::surface::rounded;
 use glam::Vec2;
 use js_sys::Reflect;
 use wasm_bindgen::JsCast;
@@ -115,7 +116,7 @@ impl Controls {
         set_text(&self.latin, plant.latin);
         set_text(&self.source, page.source());
         let refusal = page.refusal(INDIVIDUAL);
-        typing::show(&self.individual, scene.individual, &self.refusal, refusal);
+        typing::show(&self.individual, &scene.individual.to_string(), &self.refusal, refusal);
         set_flag(&self.undo, "disabled", !page.history().can_undo());
         set_flag(&self.redo, "disabled", !page.history().can_redo());
         set_attribute(&self.stage, "aria-label", page.title());
@@ -167,8 +168,8 @@ fn bar(parts: [u32; 3], colours: &[[f32; 3]; 3]) -> String {
     let whole = parts.iter().sum::<u32>().max(1);
     let percent = |part: u32| 100.0 * f64::from(part) / f64::from(whole);
     let [f, b, m] = colours.map(rgb);
-    let [to_f, to_m] = [parts[0], parts[0] + parts[2]].map(percent);
-    format!("linear-gradient(90deg, {f} {to_f:.1}%, {m} 0 {to_m:.1}%, {b} 0)")
+    let [to_f, to_m] = [parts[0], parts[0] + parts[2]].map(|part| rounded(percent(part), 10.0));
+    format!("linear-gradient(90deg, {f} {to_f}%, {m} 0 {to_m}%, {b} 0)")
 }
 
 fn click(id: &str, mut act: impl FnMut() + 'static) -> Listener {

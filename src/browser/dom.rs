@@ -3,7 +3,6 @@
 // The boot bundle needs little of it.
 #![cfg_attr(not(feature = "draw"), allow(dead_code))]
 
-use std::fmt::Display;
 use wasm_bindgen::convert::FromWasmAbi;
 use wasm_bindgen::prelude::*;
 use web_sys::{
@@ -46,11 +45,16 @@ pub fn set_text(element: &Element, text: &str) {
     }
 }
 
-pub fn set_attribute(element: &Element, name: &str, value: impl Display) {
-    let value = value.to_string();
-    if element.get_attribute(name).as_deref() != Some(&value) {
+pub fn set_attribute(element: &Element, name: &str, value: impl AsRef<str>) {
+    set_attribute_to(element, name, value.as_ref());
+}
+
+// Once, whatever holds the text: bytes count.
+#[inline(never)]
+fn set_attribute_to(element: &Element, name: &str, value: &str) {
+    if element.get_attribute(name).as_deref() != Some(value) {
         // Fails only for names that are none.
-        let _ = element.set_attribute(name, &value);
+        let _ = element.set_attribute(name, value);
     }
 }
 

@@ -10,7 +10,7 @@ use web_sys::{Blob, BlobPropertyBag, Response, Url, Worker, WorkerOptions, Worke
 
 /// The address of a file, given its path beside the page; a query counts for a host only.
 pub fn address(path: &str) -> String {
-    let name = path.split('?').next().unwrap_or_default();
+    let name = path.split_once('?').map_or(path, |(name, _)| name);
     let Some(holder) = document().get_element_by_id(name) else { return path.to_string() };
     // Pictures have an address that holds them; other files get one when they are first asked for.
     holder.get_attribute("href").unwrap_or_else(|| {
@@ -27,7 +27,7 @@ pub fn held(path: &str) -> Option<String> {
 
 /// The text of a mesh file, packed or plain; in an error, why it cannot be had.
 pub async fn read_mesh(name: &str) -> Result<String, String> {
-    let path = format!("meshes/{}", name.replace(".obj", ".txt"));
+    let path = format!("meshes/{}.txt", name.strip_suffix(".obj").unwrap_or(name));
     match held(&path) {
         Some(text) => Ok(text),
         None => read_text(&address(&format!("{path}?build={BUILD}"))).await,
@@ -38,7 +38,7 @@ pub async fn read_mesh(name: &str) -> Result<String, String> {
 pub fn in_bundles(file: &str) -> String {
     let root = document().document_element();
     let folder = root.and_then(|root| root.get_attribute("data-bundles"));
-    address(&format!("{}/{file}", folder.unwrap_or_default()))
+    address(&[&folder.unwrap_or_default(), "/", file].concat())
 }
 
 /// Whether this is the edition of one file.

@@ -315,7 +315,7 @@ impl RowView {
         let _ = list.append_child(&element);
         let told_day = within(&element, ".days output");
         let trouble = within(&element, ".trouble");
-        set_attribute(&day, "max", last_day);
+        set_attribute(&day, "max", last_day.to_string());
         let view =
             RowView { figure, element, pictures, day, told_day, trouble, _listeners: listeners };
         view.tell_day(last_day);
@@ -323,7 +323,7 @@ impl RowView {
     }
 
     fn tell_day(&self, day: u32) {
-        set_value(&self.day, day);
+        set_value(&self.day, &day.to_string());
         set_text(&self.told_day, &format!("Day {day}"));
     }
 

@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::{Element, IntersectionObserver, IntersectionObserverEntry, MessageEvent, Window};
 
 /// The version of the messages, in both directions.
-const VERSION: f64 = 1.0;
+const VERSION: u32 = 1;
 
 pub struct Host {
     page: Window,
@@ -67,7 +67,7 @@ impl Drop for Host {
 /// Does what the page around wishes: `{mosaic: 1, link: "croton?v=1&d=9"}` or `{mosaic: 1, day: 9}`.
 fn hear(said: &JsValue) {
     let member = |name: &str| member(said, name);
-    if member("mosaic").as_f64() != Some(VERSION) {
+    if member("mosaic").as_f64() != Some(f64::from(VERSION)) {
         return;
     }
     if let Some(link) = member("link").as_string() {

@@ -1,6 +1,7 @@
 //! Messages for the visitor: seen until dismissed, and the live region for those who hear the page.
 
 use super::dom::{Listener, document, find, on, set_flag, set_text};
+use crate::surface::holds;
 use web_sys::{Element, Event, HtmlElement};
 
 pub struct Messages {
@@ -45,7 +46,7 @@ impl Messages {
     }
 
     fn add(&self, text: &str, lasts: bool) {
-        if self.list.text_content().is_some_and(|told| told.contains(text)) {
+        if self.list.text_content().is_some_and(|told| holds(&told, text)) {
             return;
         }
         if let Ok(item) = document().create_element("li") {

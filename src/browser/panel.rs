@@ -6,6 +6,7 @@ use super::typing::{self, set_value};
 use crate::play::Scene;
 use crate::play::page::{Event, Page};
 use crate::play::parameters::{PARAMETERS, Parameter};
+use crate::surface::Shortest;
 use web_sys::{Element, HtmlElement, HtmlInputElement, HtmlOptionElement, HtmlSelectElement};
 
 pub struct Panel {
@@ -106,9 +107,9 @@ impl Row {
         let value = parameter.get(scene);
         match &self.input {
             Input::Number { range, number, refusal } => {
-                set_value(range, parameter.position(value));
+                set_value(range, &parameter.position(value).shortest());
                 set_attribute(range, "aria-valuetext", parameter.said(value));
-                typing::show(number, value, refusal, page.refusal(parameter.key));
+                typing::show(number, &value.shortest(), refusal, page.refusal(parameter.key));
                 let remark = page.remark(parameter.key);
                 set_text(&within(&self.element, ".remark"), &remark.unwrap_or_default());
             }
@@ -132,7 +133,7 @@ impl Input {
         let number: HtmlInputElement = within(element, "input[inputmode]");
         let [least, greatest, step] = parameter.track();
         for (name, value) in [("min", least), ("max", greatest), ("step", step)] {
-            set_attribute(&range, name, value);
+            set_attribute(&range, name, value.shortest());
         }
         set_text(&within(element, ".symbol"), parameter.symbol);
         set_text(&within(element, ".unit"), parameter.unit);

@@ -90,7 +90,7 @@ fn set_height(panel: &HtmlElement, px: Option<i32>) {
 
 fn open(panel: &HtmlElement, opens: bool) {
     set_flag(panel, "data-open", opens);
-    set_attribute(&find::<Element>("sheet"), "aria-expanded", opens);
+    set_attribute(&find::<Element>("sheet"), "aria-expanded", opens.to_string());
     if !opens {
         // What looks out is the top of the list.
         panel.set_scroll_top(0);

@@ -7,7 +7,7 @@ use crate::play::link::DAY;
 use crate::play::page::{Event, Page};
 use crate::play::playhead::SPEEDS;
 use crate::play::strip::strip;
-use crate::surface::decimal;
+use crate::surface::{Shortest, decimal, rounded};
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlInputElement, HtmlSelectElement, KeyboardEvent};
 
@@ -32,7 +32,8 @@ impl Timeline {
         let speed: HtmlSelectElement = find("speed");
         speed.set_text_content(None);
         for times in SPEEDS {
-            offer(&speed, &times.to_string(), &format!("{times}×"));
+            let times = times.shortest();
+            offer(&speed, &times, &format!("{times}×"));
         }
         speed.set_value("1");
         let mut listeners = Vec::new();
@@ -84,21 +85,18 @@ impl Timeline {
         let grown = run.newest().unwrap_or(0);
         let wished = playhead.wished_day();
         for element in [self.slider.as_ref(), &self.grown] {
-            set_attribute(element, "max", last_day);
+            set_attribute(element, "max", last_day.to_string());
         }
-        set_attribute(&self.grown, "value", grown);
+        set_attribute(&self.grown, "value", grown.to_string());
         set_text(&self.last_day, &last_day.to_string());
         if !playhead.is_scrubbed() {
             let time = if playhead.is_playing() { playhead.time() } else { f64::from(wished) };
-            set_value(
-                &self.slider,
-                format!("{time:.3}").trim_end_matches('0').trim_end_matches('.'),
-            );
+            set_value(&self.slider, &rounded(time, 1e3));
         }
         let shown = page.shown().day.as_ref().map_or(wished, |d| d.day);
         set_attribute(&self.slider, "aria-valuetext", format!("day {shown}"));
         let day = if playhead.is_playing() { shown } else { wished };
-        typing::show(&self.number, day, &self.refusal, page.refusal(DAY));
+        typing::show(&self.number, &day.to_string(), &self.refusal, page.refusal(DAY));
         set_attribute(
             &self.play,
             "aria-label",

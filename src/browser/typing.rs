@@ -3,7 +3,6 @@
 
 use super::dom::{Listener, on, set_attribute, set_flag, set_text};
 use crate::play::typed;
-use std::fmt::Display;
 use std::rc::Rc;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, Event, HtmlInputElement, KeyboardEvent};
@@ -60,17 +59,16 @@ pub fn hold(input: &HtmlInputElement, holds: bool) {
 }
 
 /// Sets the value of an input, unless the visitor is typing in it or is to correct what was refused.
-pub fn set_value(input: &HtmlInputElement, value: impl Display) {
+pub fn set_value(input: &HtmlInputElement, value: &str) {
     let is_refused = input.get_attribute("aria-invalid").as_deref() == Some("true");
-    let value = value.to_string();
     if input.value() != value && !input.has_attribute(TYPING) && !is_refused {
-        input.set_value(&value);
+        input.set_value(value);
     }
 }
 
 /// Shows the number of a field, and in the place for it why what was put in cannot be, if so.
-pub fn show(field: &HtmlInputElement, value: impl Display, place: &Element, refusal: Option<&str>) {
-    set_attribute(field, "aria-invalid", refusal.is_some());
+pub fn show(field: &HtmlInputElement, value: &str, place: &Element, refusal: Option<&str>) {
+    set_attribute(field, "aria-invalid", refusal.is_some().to_string());
     set_text(place, refusal.unwrap_or_default());
     set_value(field, value);
 }

@@ -2,6 +2,7 @@
 
 use super::Plant;
 use crate::mosaic::CLAN_COLOURS;
+use crate::surface::filled;
 
 /// What is seen on a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -107,7 +108,7 @@ impl Show {
 
     /// How it is to be read, for a plant; empty for cells in their own colours.
     pub fn meaning(self, plant: &Plant) -> String {
-        let mut text = WORDS[self as usize][2].replace("{F}", plant.colour_names[0]);
+        let mut text = filled(WORDS[self as usize][2], &[("F", plant.colour_names[0])]);
         if self == ControlImages && !plant.look.tinted.is_empty() {
             text += TINTS;
         }

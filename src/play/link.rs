@@ -9,7 +9,7 @@ use super::parameters::{PARAMETERS, Parameter};
 use super::scene::{FIRST_INDIVIDUAL, Scene};
 use super::typed;
 use crate::plants::{OWN, Plant, Show, brought};
-use crate::surface::quoted;
+use crate::surface::{Shortest, quoted};
 use glam::Vec2;
 use std::fmt::Write;
 
@@ -56,9 +56,10 @@ pub fn write(scene: &Scene) -> String {
     let orbit = scene.orbit.rounded();
     if orbit != preset.orbit.rounded() {
         let Orbit { azimuth_deg, elevation_deg, zoom, pan } = orbit;
-        let _ = write!(link, "&view={azimuth_deg},{elevation_deg},{zoom}");
+        let view = [azimuth_deg, elevation_deg, zoom].map(f32::shortest);
+        let _ = write!(link, "&view={}", view.join(","));
         if pan != Vec2::ZERO {
-            let _ = write!(link, ",{},{}", pan.x, pan.y);
+            let _ = write!(link, ",{},{}", pan.x.shortest(), pan.y.shortest());
         }
     }
     link
@@ -121,7 +122,7 @@ type Said<'a> = (&'a str, &'a str, &'a str);
 fn known_words<'a>(query: &'a str, left_out: &mut Vec<String>) -> Vec<Said<'a>> {
     let mut known: Vec<Said> = Vec::new();
     let (mut unknown, mut again) = (Vec::new(), Vec::new());
-    for pair in query.split('&').map(|p| p.trim_start_matches("amp;")).filter(|p| !p.is_empty()) {
+    for pair in query.split('&').map(without_amp).filter(|p| !p.is_empty()) {
         let (word, value) = pair.split_once('=').unwrap_or((pair, ""));
         if !WORDS.contains(&word) && Parameter::of_key(word).is_none() {
             unknown.push(pair);
@@ -134,6 +135,14 @@ fn known_words<'a>(query: &'a str, left_out: &mut Vec<String>) -> Vec<Said<'a>> 
     leave_out(left_out, &unknown, "unknown to this playground");
     leave_out(left_out, &again, "of each word the first counts");
     known
+}
+
+/// A word without what HTML makes of the `&` before it.
+fn without_amp(mut word: &str) -> &str {
+    while let Some(rest) = word.strip_prefix("amp;") {
+        word = rest;
+    }
+    word
 }
 
 /// The words that are no parameters.
@@ -253,13 +262,13 @@ fn whole(text: &str) -> Result<u32, String> {
 
 /// Why something is not a whole number up to a greatest one.
 pub fn not_whole(greatest: f64) -> String {
-    format!("it must be a whole number from 0 to {greatest}")
+    format!("it must be a whole number from 0 to {}", greatest.shortest())
 }
 
 /// Foreign text as the page quotes it.
 fn shown(text: &str) -> String {
     let quoted = quoted(text);
-    format!("“{}”", &quoted[1..quoted.len() - 1])
+    format!("“{}”", quoted.get(1..quoted.len() - 1).unwrap_or_default())
 }
 
 /// Undoes the percent signs that messengers put into addresses.

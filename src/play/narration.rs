@@ -6,6 +6,7 @@ use super::parameters::PARAMETERS;
 use super::words::{area_shares, describe, grouped, share, shares};
 use super::{Run, Scene};
 use crate::plants::Plant;
+use crate::surface::Shortest;
 use crate::tissue::DayCount;
 
 /// So many changed numbers are named one by one.
@@ -92,7 +93,9 @@ pub fn change(before: &Moment, now: &Moment) -> String {
         let orbit = is.orbit.rounded();
         sentences.push(format!(
             "Seen from {} degrees around and {} above, zoom {}",
-            orbit.azimuth_deg, orbit.elevation_deg, orbit.zoom
+            orbit.azimuth_deg.shortest(),
+            orbit.elevation_deg.shortest(),
+            orbit.zoom.shortest()
         ));
     }
     sentences.join(". ") + "."

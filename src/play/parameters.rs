@@ -7,6 +7,7 @@ mod table;
 
 use super::{Scene, link, words};
 use crate::plants::Plant;
+use crate::surface::{Shortest, filled};
 pub use colour::number_of;
 use slider::Scale;
 pub use table::{PARAMETERS, widen};
@@ -89,7 +90,7 @@ impl Parameter {
 
     /// A value as links say it.
     pub fn written(&self, value: f64) -> String {
-        if self.is_colour { colour::written(value) } else { value.to_string() }
+        if self.is_colour { colour::written(value) } else { value.shortest() }
     }
 
     /// Reads a value as links say it; in an error, why it is none.
@@ -102,8 +103,8 @@ impl Parameter {
         match self.names.get(value as usize) {
             Some(name) => (*name).to_string(),
             None if self.is_colour => format!("#{}", self.written(value)),
-            None if self.unit.is_empty() => value.to_string(),
-            None => format!("{value} {}", self.unit),
+            None if self.unit.is_empty() => value.shortest(),
+            None => format!("{} {}", value.shortest(), self.unit),
         }
     }
 
@@ -126,6 +127,7 @@ impl Parameter {
         let [least, greatest] = self.range;
         if !(least..=greatest).contains(&value) {
             let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
+            let [least, greatest] = self.range.map(f64::shortest);
             return Err(format!("it must be from {least} to {greatest}{unit}"));
         }
         if self.is_whole() && value.fract() != 0.0 {
@@ -151,7 +153,7 @@ const CONTROLLED: &str =
 fn with_colours(text: &str, plant: &Plant) -> String {
     let [f, b, m] = plant.colour_names;
     let most = words::grouped(plant.recipe.max_cells);
-    text.replace("{F}", f).replace("{B}", b).replace("{M}", m).replace("{most}", &most)
+    filled(text, &[("F", f), ("B", b), ("M", m), ("most", &most)])
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
 //! The playhead: where on the line of days the picture stands, and how it gets where it is wished.
 //! Time runs in days and fractions of them, so that cells can be shown on their way.
 
+use crate::surface::limited;
+
 /// Days in a second at speed 1.
 const DAYS_PER_S: f64 = 2.0;
 /// Days in a second at which a step of one day glides. Slower feels late, faster is a jump.
@@ -134,7 +136,7 @@ impl Playhead {
         if !matches!(self.motion, Motion::Scrub { .. }) {
             self.motion = Motion::Scrub { played: self.motion == Motion::Play };
         }
-        let time = time.clamp(0.0, f64::from(last_day));
+        let time = limited(time, 0.0, f64::from(last_day));
         self.wished_day = time.round() as u32;
         self.time = time.min(newest.map_or(0.0, f64::from));
     }

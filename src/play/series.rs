@@ -6,6 +6,7 @@ use super::figures::{FIGURES, Figure, Picture};
 use super::parameters::PARAMETERS;
 use super::{Scene, link};
 use crate::plants;
+use crate::surface::holds;
 
 /// Pictures of a series at most. Of a nursery of so many the days are thinned out; see `gallery::Row`.
 pub const MOST_PICTURES: usize = 60;
@@ -57,7 +58,7 @@ impl View {
         for opened in links.iter().map(|link| link::read(link, plants::all())) {
             for told in opened.left_out {
                 // Most links of a series say the same.
-                if !caption.contains(&told) {
+                if !holds(&caption, &told) {
                     caption += " ";
                     caption += &told;
                 }
@@ -85,8 +86,8 @@ fn several(link: &str) -> Vec<String> {
     let mut links = vec![format!("{plant}?")];
     for word in query.split('&') {
         let (key, value) = word.split_once('=').unwrap_or((word, ""));
-        let range = value.split_once("..").and_then(|(first, last)| {
-            let [first, last] = [first, last].map(|end| end.parse::<u32>().ok());
+        let range = value.split_once('.').and_then(|(first, last)| {
+            let [first, last] = [first, last.strip_prefix('.')?].map(|end| end.parse::<u32>().ok());
             Some(first?..=last?)
         });
         let values: Vec<String> = match range {

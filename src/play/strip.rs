@@ -27,13 +27,14 @@ pub fn strip(run: &Run, colours: &[[f32; 3]; 3], marked: u32) -> String {
     }
     svg += &format!("<path fill=\"{f}\" d=\"M0 {WHOLE}{f_by_number}V{WHOLE}z\"/>");
     let mut draw = |class: &str, way: &str| {
+        let way = way.trim_start_matches('L');
         svg += &format!("<path class=\"{class}\" d=\"M{way}\"/>");
     };
     for (number, area) in lines {
         // A way begins as a line to its first point. White on black is seen on all colours.
-        draw("number", &number[1..]);
-        draw("area rim", &area[1..]);
-        draw("area", &area[1..]);
+        draw("number", &number);
+        draw("area rim", &area);
+        draw("area", &area);
     }
     let mark = format!("{marked} 0V{WHOLE}");
     draw("now rim", &mark);

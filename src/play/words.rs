@@ -6,6 +6,7 @@ use super::parameters::{PARAMETERS, widen};
 use super::run::{DayFacts, Run};
 use super::scene::Scene;
 use crate::plants::{Plant, Show};
+use crate::surface::Shortest;
 use crate::tissue::{DayCount, Recipe};
 use std::fmt::Write;
 
@@ -95,7 +96,7 @@ fn values(recipes: &[Recipe], value: &dyn Fn(&Recipe) -> f64) -> String {
     for now in recipes.iter().map(value) {
         if now != last {
             let gap = if text.is_empty() { "" } else { " / " };
-            let _ = write!(text, "{gap}{now}");
+            let _ = write!(text, "{gap}{}", now.shortest());
         }
         last = now;
     }

@@ -1,7 +1,7 @@
 //! A body: the patterned surface of a plant and the bare parts that stand beside it.
 
 use super::veins::Piece;
-use super::{ControlImage, Mesh, Moment, Motion, Place, PolygonMesh, Veins, Wrap};
+use super::{ControlImage, Mesh, Moment, Motion, Place, PolygonMesh, Shortest, Veins, Wrap};
 use glam::{Vec2, Vec3};
 use std::borrow::Cow;
 
@@ -38,11 +38,11 @@ pub enum SurfaceError {
     TooLarge,
     #[error("the mesh has no part that carries cells: all materials are bare")]
     AllBare,
-    #[error("the moment of day {day} has {corners} vertices, and the mesh {count}")]
+    #[error("the moment of day {} has {corners} vertices, and the mesh {count}", .day.shortest())]
     OtherCorners { day: f32, corners: usize, count: usize },
-    #[error("the moment of day {0} does not come after the one before it")]
+    #[error("the moment of day {} does not come after the one before it", .0.shortest())]
     OutOfOrder(f32),
-    #[error("on day {0} a triangle has no area")]
+    #[error("on day {} a triangle has no area", .0.shortest())]
     Flat(f32),
 }
 

@@ -1,6 +1,6 @@
 //! Cylinders around a body and the control images on them (Thesis 3.2.2, 3.2.3; Paper Fig. 4).
 
-use super::{AlongVeins, Mesh, Place};
+use super::{AlongVeins, Mesh, Place, Shortest, limited};
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
@@ -67,7 +67,7 @@ impl Wrap {
 /// Turns as far inside the seam as the centres of an image's outermost columns.
 fn within(image: &ControlImage, turns: f32) -> f32 {
     let outermost = 0.5 / image.width as f32;
-    turns.clamp(outermost, 1.0 - outermost)
+    limited(turns, outermost, 1.0 - outermost)
 }
 
 impl Cylinder {
@@ -85,13 +85,16 @@ impl Cylinder {
         }
         if !self.base.to_array().iter().all(|x| x.abs() <= 10_000.0) {
             return Err(format!(
-                "the base of a cylinder is {}: it must be within 10,000 cm",
-                self.base
+                "the base of a cylinder is [{}]: it must be within 10,000 cm",
+                self.base.to_array().map(f32::shortest).join(", ")
             ));
         }
         match self.height {
             0.01..=10_000.0 => Ok(()),
-            height => Err(format!("height_cm is {height}: it must be from 0.01 to 10,000")),
+            height => {
+                let height = height.shortest();
+                Err(format!("height_cm is {height}: it must be from 0.01 to 10,000"))
+            }
         }
     }
 

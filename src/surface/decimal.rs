@@ -125,10 +125,17 @@ fn nearest(digits: &[u8], power: i64) -> f64 {
 }
 
 /// A whole number of any size: 32 bits each, the least first, none of the last being 0.
-struct Natural(Vec<u32>);
+#[derive(Clone)]
+pub(super) struct Natural(Vec<u32>);
 
 impl Natural {
-    fn times_plus(&mut self, factor: u32, summand: u32) {
+    pub(super) fn new(number: u64) -> Natural {
+        let mut natural = Natural(vec![number as u32, (number >> 32) as u32]);
+        natural.trim();
+        natural
+    }
+
+    pub(super) fn times_plus(&mut self, factor: u32, summand: u32) {
         let mut carry = u64::from(summand);
         for part in &mut self.0 {
             carry += u64::from(*part) * u64::from(factor);
@@ -146,29 +153,31 @@ impl Natural {
     }
 
     /// Doubles it so often.
-    fn shift(&mut self, times: i64) {
+    pub(super) fn shift(&mut self, times: i64) {
         for _ in 0..times / 32 {
             self.0.insert(0, 0);
         }
         self.times_plus(1 << (times % 32), 0);
-        while self.0.last() == Some(&0) {
-            self.0.pop();
-        }
+        self.trim();
     }
 
-    fn compare(&self, other: &Natural) -> Ordering {
+    pub(super) fn compare(&self, other: &Natural) -> Ordering {
         let by_length = self.0.len().cmp(&other.0.len());
         by_length.then_with(|| self.0.iter().rev().cmp(other.0.iter().rev()))
     }
 
     /// Takes one away that is not larger.
-    fn minus(&mut self, other: &Natural) {
+    pub(super) fn minus(&mut self, other: &Natural) {
         let mut borrow = 0_i64;
         for (k, part) in self.0.iter_mut().enumerate() {
             let next = i64::from(*part) - i64::from(other.0.get(k).copied().unwrap_or(0)) + borrow;
             *part = next as u32;
             borrow = next >> 32;
         }
+        self.trim();
+    }
+
+    fn trim(&mut self) {
         while self.0.last() == Some(&0) {
             self.0.pop();
         }

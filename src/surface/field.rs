@@ -1,7 +1,7 @@
 //! The direction field: a unit vector in the plane of each triangle, led by a few control vectors
 //! through radial basis functions (Thesis 3.2.4).
 
-use super::{Frame, Mesh, Place};
+use super::{Frame, Mesh, Place, Shortest};
 use glam::{DVec3, Vec2, Vec3};
 
 /// A control vector on a triangle.
@@ -15,7 +15,7 @@ pub struct Guide {
 /// Why control vectors do not make a field.
 #[derive(Clone, Debug, thiserror::Error, PartialEq)]
 pub enum FieldError {
-    #[error("epsilon is {0} per cm: it must be over 0")]
+    #[error("epsilon is {} per cm: it must be over 0", .0.shortest())]
     Epsilon(f64),
     #[error("a control vector stands on triangle {triangle}, but there are only {count}")]
     NoSuchTriangle { triangle: u32, count: usize },

@@ -1,6 +1,6 @@
 //! OBJ text, statement by statement.
 
-use super::{Face, Group, Line, Moment, ObjError, PolygonMesh, decimal, quoted};
+use super::{Face, Group, Line, Moment, ObjError, PolygonMesh, Shortest, decimal, holds, quoted};
 use glam::{DVec3, Vec2, Vec3};
 use std::collections::HashMap;
 
@@ -168,7 +168,7 @@ impl Reader {
                 *then = positions.iter().map(|p| p.as_vec3()).collect();
             }
             if then.len() != count {
-                let (line, then) = (last_moment, then.len());
+                let (line, then, day) = (last_moment, then.len(), day.shortest());
                 let what = format!("there are {count} vertices, but {then} on day {day}");
                 return Err(ObjError::Line { line, what });
             }
@@ -207,7 +207,7 @@ pub(super) fn name(statement: &str) -> String {
 /// Whatever programs write for numbers that are none (`-nan(ind)`) is NaN.
 pub(super) fn number(word: Option<&str>) -> Result<f64, String> {
     let word = word.ok_or("a number is missing")?;
-    let not_one = word.trim_start_matches(['-', '+']).starts_with("nan") || word.contains(".#");
+    let not_one = word.trim_start_matches(['-', '+']).starts_with("nan") || holds(word, ".#");
     decimal(if not_one { "nan" } else { word }).ok_or_else(|| {
         let comma = if word.contains(',') { ": decimals need a point" } else { "" };
         format!("{} is not a number{comma}", quoted(word))

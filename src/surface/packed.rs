@@ -1,11 +1,14 @@
-//! Meshes as they are downloaded: OBJ texts in which the numbers of a `v`, `vt`, `f`, `l` or `#v` line are differences
-//! from those in the line of the same kind before, coordinates in hundredths. `meshes/pack.awk` writes them,
-//! when the page is built: they compress to two fifths of what the OBJ files do. A vertex of a moment (`#v`) is
-//! told by its way since the moment before, and that by the difference from the way of the vertex before.
+//! Meshes as they are downloaded: OBJ texts in which all `v`, `vt` or `#v` lines that follow each other are one, with
+//! their first numbers, then their second ones and so on as letters: each the difference from the one before it, in
+//! hundredths. A vertex of a moment (`#v`, whose name is left away) is told by its way since the moment before. The
+//! numbers of an `f` or `l` line are differences from those of the line of the same kind before. `meshes/pack.awk`
+//! writes them, when the page is built: they compress to a third of what the OBJ files do.
 
-/// The kinds of lines that are packed, and what their numbers are whole parts of. The name of a vertex of a moment
-/// is left away.
-const KINDS: [(&str, i32); 5] = [("v", 100), ("vt", 100), ("f", 1), ("l", 1), ("", 100)];
+/// Vertices by the name of their lines, and how many numbers they have; last those of moments.
+const VERTICES: [(&str, usize); 3] = [("v ", 3), ("vt ", 2), (" ", 3)];
+
+/// The kinds of lines with whole numbers.
+const KINDS: [&str; 2] = ["f", "l"];
 
 /// How a text begins that is not packed.
 pub const PLAIN: &str = "# plain ";
@@ -16,55 +19,80 @@ pub fn unpack(packed: &str) -> String {
     if packed.starts_with(PLAIN) {
         return packed.to_string();
     }
-    let mut text = String::with_capacity(2 * packed.len());
+    let mut text = String::with_capacity(3 * packed.len());
     let mut before: [Vec<i32>; KINDS.len()] = Default::default();
-    // Where the vertices were at the last moment, and the number of the next one of this.
-    let (mut vertices, mut next) = (Vec::<[i32; 3]>::new(), 0);
+    // Where the vertices are at the last moment.
+    let mut last: Vec<i32> = Vec::new();
     for line in packed.lines() {
-        let is_of = |(name, _): &(&str, _)| {
-            line.strip_prefix(name).is_some_and(|rest| rest.starts_with(' '))
-        };
+        let vertices = VERTICES.iter().find_map(|&(name, places)| {
+            let numbers = numbers(line.strip_prefix(name)?)?;
+            numbers.len().is_multiple_of(places).then_some((name, places, numbers))
+        });
+        if let Some((name, places, mut numbers)) = vertices {
+            let rows = numbers.len() / places;
+            for column in numbers.chunks_mut(rows.max(1)) {
+                column.iter_mut().fold(0, |before: i32, number| {
+                    *number = number.wrapping_add(before);
+                    *number
+                });
+            }
+            if name == " " {
+                numbers.iter_mut().zip(&last).for_each(|(at, last)| *at = at.wrapping_add(*last));
+            }
+            for row in 0..rows {
+                text.push_str(if name == " " { "#v" } else { name.trim_end() });
+                for &number in numbers.iter().skip(row).step_by(rows) {
+                    text.push(' ');
+                    push_number(number, 100, &mut text);
+                }
+                text.push('\n');
+            }
+            if places == 3 {
+                last = numbers;
+            }
+            continue;
+        }
+        let is_of =
+            |name: &&str| line.strip_prefix(*name).is_some_and(|rest| rest.starts_with(' '));
         match KINDS.iter().position(is_of) {
-            Some(kind) => {
-                let (name, parts) = KINDS[kind];
-                if name.is_empty() {
-                    text.push_str("#v");
-                }
-                // Where it was; of all but a vertex that moves, nowhere.
-                let mut at =
-                    vertices.get(next).filter(|_| name.is_empty()).copied().unwrap_or([0; 3]);
-                unpack_line(line, parts, &mut before[kind], &mut at, &mut text);
-                match name {
-                    "v" => vertices.push(at),
-                    "" if next < vertices.len() => {
-                        vertices[next] = at;
-                        next += 1;
-                    }
-                    _ => {}
-                }
-            }
-            None => {
-                text.push_str(line);
-                if line.starts_with("#moment") {
-                    before[KINDS.len() - 1].clear();
-                    next = 0;
-                }
-            }
+            Some(kind) => unpack_line(line, &mut before[kind], &mut text),
+            None => text.push_str(line),
         }
         text.push('\n');
     }
     text
 }
 
-/// Digits and signs are differences; all else stays. The first three numbers are told from those of `from`,
-/// where they are written as well.
-fn unpack_line(
-    line: &str,
-    parts: i32,
-    before: &mut Vec<i32>,
-    from: &mut [i32; 3],
-    text: &mut String,
-) {
+/// The numbers that letters say; None where others are among them. A letter says how far a number is from 0 and on
+/// which side; far ones take two, and the farthest are in digits, between `~` and a space.
+fn numbers(letters: &str) -> Option<Vec<i32>> {
+    const SINGLES: i32 = 60;
+    // `<` is left out.
+    const LETTERS: i32 = 92;
+    let value = |letter: u8| match letter {
+        b'!'..=b';' => Some(i32::from(letter - b'!')),
+        b'='..=b'}' => Some(i32::from(letter - b'!') - 1),
+        _ => None,
+    };
+    let mut numbers = Vec::new();
+    let mut rest = letters.bytes();
+    while let Some(letter) = rest.next() {
+        if letter == b'~' {
+            let digits: Vec<u8> = rest.by_ref().take_while(|&digit| digit != b' ').collect();
+            numbers.push(std::str::from_utf8(&digits).ok()?.parse().ok()?);
+            continue;
+        }
+        let mut size = value(letter)?;
+        if size >= SINGLES {
+            size = SINGLES + (size - SINGLES) * LETTERS + value(rest.next()?)?;
+        }
+        numbers.push(if size % 2 == 0 { size / 2 } else { -(size + 1) / 2 });
+    }
+    Some(numbers)
+}
+
+/// Digits and signs are differences; all else stays.
+fn unpack_line(line: &str, before: &mut Vec<i32>, text: &mut String) {
     let (mut place, mut sign, mut difference) = (0, 1, None);
     for c in line.chars().chain([' ']) {
         if let Some(digit) = c.to_digit(10) {
@@ -77,12 +105,7 @@ fn unpack_line(
                 before.push(0);
             }
             before[place] = before[place].wrapping_add(size.wrapping_mul(sign));
-            let mut number = before[place];
-            if let Some(from) = from.get_mut(place) {
-                *from = from.wrapping_add(number);
-                number = *from;
-            }
-            push_number(number, parts, text);
+            push_number(before[place], 1, text);
             (place, sign) = (place + 1, 1);
         }
         if c == '-' {
@@ -145,15 +168,16 @@ mod tests {
 
     #[test]
     fn differences_add_up() {
-        let packed = "# 1 2\nv 100 -5 0\nv -101 5 99999\nf 1/1 2 3//4\nf 1/2 1 1//-1\ng leaf 7\n";
-        let text =
-            "# 1 2\nv 1.00 -0.05 0.00\nv -0.01 0.00 999.99\nf 1/1 2 3//4\nf 2/3 3 4//3\ng leaf 7\n";
+        let packed =
+            "# 1 2\nv 1#~99999 ^!#!\nf 1/1 2 3//4\nf 1/2 1 1//-1\ng leaf 7\nvt !!\n $\"#!!!\n";
+        let text = "# 1 2\nv 0.08 999.99 0.01\nv 0.09 1000.29 0.01\nf 1/1 2 3//4\nf 2/3 3 4//3\ng leaf 7\nvt 0.00 \
+                    0.00\n#v 0.06 1000.00 0.01\n#v 0.06 1000.30 0.01\n";
         assert_eq!(unpack(packed), text);
     }
 
     #[test]
     fn what_was_not_packed_is_left_to_be_refused() {
-        let text = "v one two\nvn 1 2\n<html>\n";
+        let text = "v one two\nv 1.5 2 3\nv <\nv ^\nv !!!!\nvn 1 2\n<html>\n";
         assert_eq!(unpack(text), text);
     }
 }

@@ -16,6 +16,23 @@ pub fn quoted(text: &str) -> String {
     quoted
 }
 
+/// Whether a text has a part. `str::contains` reports where, in so many cases that it is a kilobyte.
+pub fn holds(text: &str, part: &str) -> bool {
+    part.is_empty() || text.as_bytes().windows(part.len()).any(|bytes| bytes == part.as_bytes())
+}
+
+/// A text with words in the place of the names in it that stand in braces, as `{F}` does.
+pub fn filled(text: &str, names: &[(&str, &str)]) -> String {
+    let mut parts = text.split('{');
+    let mut filled = parts.next().unwrap_or_default().to_string();
+    for part in parts {
+        let (name, rest) = part.split_once('}').unwrap_or((part, ""));
+        filled.extend(names.iter().filter(|(known, _)| *known == name).map(|(_, word)| *word));
+        filled += rest;
+    }
+    filled
+}
+
 fn visible(character: char) -> char {
     let turns_the_line = matches!(
         character,
@@ -26,7 +43,7 @@ fn visible(character: char) -> char {
 
 #[cfg(test)]
 mod tests {
-    use super::quoted;
+    use super::{filled, holds, quoted};
 
     #[test]
     fn plain_words_stay_as_they_are() {
@@ -34,6 +51,22 @@ mod tests {
         assert_eq!(quoted("1,5 né 葉"), "\"1,5 né 葉\"");
         let forty = "é".repeat(40);
         assert_eq!(quoted(&forty), format!("\"{forty}\""));
+    }
+
+    #[test]
+    fn parts_are_found() {
+        for text in ["", "a", "ab", "aab", "béa", "abab"] {
+            for part in ["", "a", "ab", "b", "é", "abc"] {
+                assert_eq!(holds(text, part), text.contains(part), "{text} {part}");
+            }
+        }
+    }
+
+    #[test]
+    fn names_in_braces_are_filled_in() {
+        let names = [("F", "yellow"), ("most", "9")];
+        assert_eq!(filled("{F} and {F}: {most}.", &names), "yellow and yellow: 9.");
+        assert_eq!(filled("none", &names), "none");
     }
 
     #[test]

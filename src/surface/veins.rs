@@ -1,6 +1,6 @@
 //! Veins: lines on a surface, and how far a place lies from the nearest of them.
 
-use super::{Mesh, Place};
+use super::{Mesh, Place, Shortest};
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
@@ -150,7 +150,9 @@ impl AlongVeins {
         match (self.order, self.reach_cm) {
             (0, _) => Err("order is 0: veins are of order 1 and more".into()),
             (_, 0.001..=1000.0) => Ok(()),
-            (_, reach) => Err(format!("reach_cm is {reach}: it must be from 0.001 to 1000")),
+            (_, reach) => {
+                Err(format!("reach_cm is {}: it must be from 0.001 to 1000", reach.shortest()))
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 //! if the neighbours were unfolded into that plane, and slides along the rim of an open surface.
 
 use super::lengths::{length, normalized};
-use super::{Mesh, NO_TWIN, Place};
+use super::{Mesh, NO_TWIN, Place, limited};
 use glam::Vec2;
 
 /// Edges that one step may cross, and how many more for each mean edge of the mesh that it is long. A
@@ -117,7 +117,7 @@ fn first_exit(b: &[f32; 3], change: &[f32; 3], entered: usize) -> (usize, f32) {
 /// Rounding may leave a coordinate a hair below 0: it is put back on the edge.
 fn place(triangle: usize, b: &[f32; 3], change: &[f32; 3]) -> Place {
     let b1 = (b[1] + change[1]).clamp(0.0, 1.0);
-    let b2 = (b[2] + change[2]).clamp(0.0, 1.0 - b1);
+    let b2 = limited(b[2] + change[2], 0.0, 1.0 - b1);
     Place { triangle: triangle as u32, b1, b2 }
 }
 

@@ -3,7 +3,7 @@
 //! `Body::bared`.
 
 use super::{CellType, Recipe, RecipeError, Scaled};
-use crate::surface::{ControlImage, Mesh, NO_TWIN, Place, Wrap};
+use crate::surface::{ControlImage, Mesh, NO_TWIN, Place, Shortest, Wrap};
 use serde::{Deserialize, Serialize};
 
 /// A control image on a body and its use.
@@ -126,8 +126,9 @@ pub(super) fn check(recipe: &Recipe, controls: &[Control]) -> Result<(), RecipeE
             && ![black, white].iter().all(|factor| (0.0..=1000.0).contains(factor))
         {
             return Err(RecipeError(format!(
-                "a control image has the factors {black} at black and {white} at white: they must \
-                 be from 0 to 1000"
+                "a control image has the factors {} at black and {} at white: they must be from 0 to 1000",
+                black.shortest(),
+                white.shortest()
             )));
         }
     }

@@ -2,6 +2,7 @@
 
 mod json;
 
+use crate::surface::Shortest;
 use serde::{Deserialize, Serialize};
 
 /// The types of cells (CM98; Thesis 3.2.1.1).
@@ -187,9 +188,10 @@ impl Recipe {
                 let adhesion = self.adhesion[from as usize][to as usize];
                 if !(0.0..=1.0).contains(&adhesion) {
                     return fail(format!(
-                        "adhesion {}{} is {adhesion}: it must be from 0 to 1",
+                        "adhesion {}{} is {}: it must be from 0 to 1",
                         from.letter(),
-                        to.letter()
+                        to.letter(),
+                        adhesion.shortest()
                     ));
                 }
             }
@@ -197,14 +199,20 @@ impl Recipe {
         if !(self.radius_scale > 0.0 && self.radius_scale <= 10.0) {
             return fail(format!(
                 "radius_scale is {}: it must be over 0 and at most 10",
-                self.radius_scale
+                self.radius_scale.shortest()
             ));
         }
         if !(0.0..=2.0).contains(&self.repulsion) {
-            return fail(format!("repulsion is {}: it must be from 0 to 2", self.repulsion));
+            return fail(format!(
+                "repulsion is {}: it must be from 0 to 2",
+                self.repulsion.shortest()
+            ));
         }
         if !(0.0..=1.0).contains(&self.anisotropy) {
-            return fail(format!("anisotropy is {}: it must be from 0 to 1", self.anisotropy));
+            return fail(format!(
+                "anisotropy is {}: it must be from 0 to 1",
+                self.anisotropy.shortest()
+            ));
         }
         for (name, value, most) in [
             ("days", self.days, 1000),
@@ -238,9 +246,10 @@ fn check_days(kind: CellType, days: f64) -> Result<(), RecipeError> {
         return Ok(());
     }
     Err(RecipeError(format!(
-        "division_days of {} is {days}: it must be over 1 and at most 500 days (at or under ln 2 \
+        "division_days of {} is {}: it must be over 1 and at most 500 days (at or under ln 2 \
          days the population would be infinite)",
-        kind.letter()
+        kind.letter(),
+        days.shortest()
     )))
 }
 
@@ -251,6 +260,8 @@ fn check_row(name: &str, row: &[f64; 3]) -> Result<(), RecipeError> {
     }
     Err(RecipeError(format!(
         "{name} is F {}, B {}, M {}: each must be from 0 to 1 and their sum 1",
-        row[0], row[1], row[2]
+        row[0].shortest(),
+        row[1].shortest(),
+        row[2].shortest()
     )))
 }

@@ -9,9 +9,8 @@ use flate2::{Compression, write::GzEncoder};
 use serde_json::json;
 use std::io::Write;
 
-/// Bytes that a visitor may have to download, compressed, until cells are seen: with WebGPU 320,000, and a
-/// twentieth more, as flowers that open bring ten bodies along.
-const MOST_BYTES_WEBGPU: usize = 336_000;
+/// Bytes that a visitor may have to download, compressed, until cells are seen.
+const MOST_BYTES_WEBGPU: usize = 320_000;
 const MOST_BYTES_WEBGL2: usize = 1_020_000;
 
 /// Nothing that exists, asked for when the first live picture stands.

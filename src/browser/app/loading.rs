@@ -12,8 +12,9 @@ use crate::surface::unpack;
 /// Has a plant of the visitor's own known before its link is read. The studio puts it into the page, and knows
 /// whether it was kept.
 pub(super) fn bring_own(fragment: &str) {
-    let Some(at) = fragment.find(plants::OWN) else { return };
-    let key = fragment[at..].split('?').next().unwrap_or_default();
+    let is_of_key = |c: char| c.is_ascii_alphanumeric() || c == '-';
+    let mut words = fragment.split(|c| !is_of_key(c));
+    let Some(key) = words.find(|word| word.starts_with(plants::OWN)) else { return };
     match files::held(&format!("meshes/{key}.txt")) {
         Some(text) => {
             plants::bring(&text);

@@ -158,8 +158,8 @@ impl ChartView {
         let Some(scene) = self.scene.as_ref().filter(|_| !self.days.is_empty()) else { return };
         let progress: Element = within(&self.view, "progress");
         set_flag(&progress, "hidden", self.work.is_none());
-        set_attribute(&progress, "max", scene.recipe.days.max(1));
-        set_attribute(&progress, "value", self.days.len() - 1);
+        set_attribute(&progress, "max", scene.recipe.days.max(1).to_string());
+        set_attribute(&progress, "value", (self.days.len() - 1).to_string());
         let root = document().document_element().expect("a document has a root");
         let day: Option<usize> = root.get_attribute("data-day").and_then(|day| day.parse().ok());
         let on_screen = day.map(|day| day.min(self.days.len() - 1));

@@ -177,8 +177,8 @@ impl FitView {
         let progress = self.part("progress");
         set_flag(&progress, "hidden", tries.is_none());
         set_flag(&self.part(".stop"), "hidden", tries.is_none());
-        set_attribute(&progress, "max", MOST_TRIES);
-        set_attribute(&progress, "value", tries.unwrap_or_default());
+        set_attribute(&progress, "max", MOST_TRIES.to_string());
+        set_attribute(&progress, "value", tries.unwrap_or_default().to_string());
     }
 
     fn say(&self, text: &str) {

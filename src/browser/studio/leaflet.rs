@@ -76,8 +76,8 @@ fn copy_picture(canvas: &HtmlCanvasElement) {
     // It is asked to draw it anew, or it may be another plant's.
     subject::address();
     let drawn: HtmlCanvasElement = find("printed");
-    set_attribute(canvas, "width", drawn.width());
-    set_attribute(canvas, "height", drawn.height());
+    set_attribute(canvas, "width", drawn.width().to_string());
+    set_attribute(canvas, "height", drawn.height().to_string());
     if let Ok(Some(pen)) = canvas.get_context("2d") {
         let pen: CanvasRenderingContext2d = pen.unchecked_into();
         let _ = pen.draw_image_with_html_canvas_element(&drawn, 0.0, 0.0);

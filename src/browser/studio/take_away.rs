@@ -238,8 +238,8 @@ impl TakeAway {
         set_flag(&progress, "hidden", days.is_none());
         set_flag(&self.part(".stop"), "hidden", days.is_none());
         if let Some((day, last)) = days {
-            set_attribute(&progress, "max", last.max(1));
-            set_attribute(&progress, "value", day);
+            set_attribute(&progress, "max", last.max(1).to_string());
+            set_attribute(&progress, "value", day.to_string());
         }
     }
 

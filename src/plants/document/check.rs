@@ -3,7 +3,7 @@
 use super::super::paint::Paint;
 use super::super::{Look, Plant, View};
 use super::PlantError;
-use crate::surface::{Mesh, Wrap, quoted};
+use crate::surface::{Mesh, Shortest, Wrap, quoted};
 use crate::tissue::Growth;
 use std::sync::Arc;
 
@@ -99,8 +99,9 @@ impl View {
 
 /// Whether a number is in its range; else what it must be.
 pub(in crate::plants) fn kept(name: &str, value: f32, least: f32, most: f32) -> Result<(), String> {
-    match (least..=most).contains(&value) {
-        true => Ok(()),
-        false => Err(format!("{name} is {value}: it must be from {least} to {most}")),
+    if (least..=most).contains(&value) {
+        return Ok(());
     }
+    let [value, least, most] = [value, least, most].map(f32::shortest);
+    Err(format!("{name} is {value}: it must be from {least} to {most}"))
 }

@@ -64,5 +64,5 @@ fn ones_own_pixels_are_seen_as_they_are_written() {
     let image = &plant.controls(1)[0].image;
     assert_eq!(image.grey, [0x88, 0, 0, 0xff]);
     let why = Plant::from_json(&json.replace("\"80\"", "\"8x\"")).unwrap_err().to_string();
-    assert!(why.contains("row 2 of rows has 'x'"), "{why}");
+    assert!(why.contains("row 2 of rows has \"x\""), "{why}");
 }

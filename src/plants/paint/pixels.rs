@@ -1,7 +1,7 @@
 //! An image of one's own, pixel by pixel.
 
 use crate::plants::{List, Text, kept_texts};
-use crate::surface::ControlImage;
+use crate::surface::{ControlImage, quoted};
 use serde::{Deserialize, Serialize};
 
 /// Grey pixels as they are seen, the top row first: a digit for each, from 0, black, to f, white.
@@ -33,8 +33,9 @@ impl Pixels {
             }
             if let Some(other) = digits.chars().find(|digit| !digit.is_ascii_hexdigit()) {
                 return Err(format!(
-                    "row {} of rows has {other:?}: a pixel is a digit from 0 to 9 or a to f",
-                    row + 1
+                    "row {} of rows has {}: a pixel is a digit from 0 to 9 or a to f",
+                    row + 1,
+                    quoted(&other.to_string())
                 ));
             }
         }

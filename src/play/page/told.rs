@@ -4,6 +4,7 @@ use super::super::narration::{Moment, change, summary};
 use super::super::parameters::{PARAMETERS, Parameter};
 use super::super::{End, Scene, words};
 use super::{Effect, Page};
+use crate::surface::Shortest;
 
 /// Numbers that had to make room for another one, each with what it was.
 pub(super) struct Moves {
@@ -93,7 +94,7 @@ impl Page {
         let plant = self.scene.plant;
         let mut of_it = moves.others.iter().filter(|(p, _)| moves.by.key == key || p.key == key);
         let (other, was) = of_it.next()?;
-        let now = other.get(&self.scene);
+        let (was, now) = (was.shortest(), other.get(&self.scene).shortest());
         Some(match other.key == key {
             true => format!(
                 "Was {was}: it makes room for “{}”, as both are 1 at most.",

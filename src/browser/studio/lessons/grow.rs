@@ -166,9 +166,9 @@ impl LessonView {
         set_flag(&self.part(".outcome"), "data-told", false);
         if let Some((done, all)) = done {
             if all > 0 {
-                set_attribute(&progress, "max", all);
+                set_attribute(&progress, "max", all.to_string());
             }
-            set_attribute(&progress, "value", done);
+            set_attribute(&progress, "value", done.to_string());
         }
     }
 }

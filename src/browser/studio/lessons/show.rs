@@ -110,8 +110,8 @@ impl LessonView {
         set_flag(&next, "disabled", !may_go_on);
         set_flag(&self.part(".back"), "disabled", *step == 0);
         let way: Element = self.part(".way");
-        set_attribute(&way, "max", count);
-        set_attribute(&way, "value", step + 1);
+        set_attribute(&way, "max", count.to_string());
+        set_attribute(&way, "value", (step + 1).to_string());
         self.lay_worksheet_out(&place);
         self.begin();
     }
