@@ -151,7 +151,7 @@ mod tests {
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);
             check(bits);
-            check(bits >> 32 | bits << 32);
+            check(bits.rotate_left(32));
         }
     }
 

@@ -48,7 +48,7 @@ fn first(list: &Element) -> String {
 }
 
 fn show_closer(list: &Element) {
-    set_attribute(&within(list, ".closer"), "aria-pressed", list.has_attribute(CLOSER));
+    set_attribute(&within(list, ".closer"), "aria-pressed", list.has_attribute(CLOSER).to_string());
 }
 
 /// Does what a click within the list is for, if that is a matter of the map's.
