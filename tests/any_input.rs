@@ -6,6 +6,7 @@ use clonal_mosaic::tissue::{Growth, Progress, Recipe};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use std::fmt::Write;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// A short line of an OBJ file, nearly right.
@@ -61,6 +62,30 @@ fn small_mesh() -> impl Strategy<Value = String> {
             let _ = writeln!(text, "f {}", corners.collect::<Vec<_>>().join(" "));
         }
         text
+    })
+}
+
+/// A PLY or GLB file with a few other bytes in it, and perhaps without its end.
+fn nearly_right_file() -> impl Strategy<Value = Vec<u8>> {
+    let files =
+        ["text.ply", "binary_little_endian.ply", "binary_big_endian.ply", "tetrahedron.glb"];
+    let seeds = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("fuzz/seeds/body");
+    let files = files.map(|name| std::fs::read(seeds.join(name)).unwrap()).to_vec();
+    let byte = prop_oneof![
+        any::<u8>(),
+        prop::sample::select(b"0123456789-.,:{}[]\"\n ".to_vec()),
+        prop::sample::select(vec![0, 1, 2, 3, 4, 127, 128, 255]),
+    ];
+    let changes = vec((any::<prop::sample::Index>(), byte), 0..6);
+    let end = prop::option::weighted(0.1, any::<prop::sample::Index>());
+    (prop::sample::select(files), changes, end).prop_map(|(mut file, changes, end)| {
+        for (at, byte) in changes {
+            let at = at.index(file.len());
+            file[at] = byte;
+        }
+        let length = file.len();
+        file.truncate(end.map_or(length, |end| end.index(length)));
+        file
     })
 }
 
@@ -175,6 +200,11 @@ proptest! {
     #[test]
     fn any_small_mesh_grows(text in small_mesh()) {
         grow_on(text.as_bytes());
+    }
+
+    #[test]
+    fn any_file_with_wrong_bytes_is_a_body_or_an_error(bytes in nearly_right_file()) {
+        grow_on(&bytes);
     }
 
     #[test]

@@ -109,7 +109,8 @@ fn no_file_reaches_the_terminal_as_it_is() {
         ("long", long.into_bytes(), "\u{2026}"),
         ("gzip", b"\x1f\x8b\x08\x00\x00\x00\x00\x00".to_vec(), "gzip"),
         ("utf-16", b"\xff\xfev\x00 \x00".to_vec(), "UTF-16"),
-        ("ply", b"ply\nformat ascii 1.0\n".to_vec(), "PLY"),
+        ("ply", b"ply\nformat ascii \x1b[31m\n".to_vec(), "PLY"),
+        ("glb", b"glTF\x02\0\0\0".to_vec(), "GLB"),
         ("comma", b"v 1,5 0 0\n".to_vec(), "point"),
         ("huge", tetrahedron("1e20 0 0").into_bytes(), "scale it"),
     ] {

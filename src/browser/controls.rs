@@ -5,7 +5,7 @@ use super::address::UI;
 use super::app;
 use super::boot;
 use super::dom::{
-    Listener, document, find, on, set_attribute, set_flag, set_style, set_text, window,
+    Listener, document, find, member, on, set_attribute, set_flag, set_style, set_text, window,
 };
 use super::keyboard::{TURN_DEG, ZOOM};
 use super::typing;
@@ -15,6 +15,7 @@ use crate::play::strip::rgb;
 use crate::play::words;
 use crate::surface::rounded;
 use glam::Vec2;
+use js_sys::Reflect;
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Element, HtmlDialogElement, HtmlElement, HtmlInputElement};
@@ -75,6 +76,9 @@ impl Controls {
             // Or else the browser goes to the file, away from the plant.
             listeners.push(on(&document(), kind, |event: web_sys::Event| {
                 event.prevent_default();
+                // They are in the event for a moment alone, and the studio may not be there yet.
+                let files = member(&member(&event, "dataTransfer"), "files");
+                let _ = Reflect::set(&document(), &"files".into(), &files);
                 load_studio("drop");
             }));
         }

@@ -93,6 +93,12 @@ pub struct Listener {
     _closure: Box<dyn std::any::Any>,
 }
 
+/// What an object of the browser has under a name; undefined where it has nothing.
+#[inline(never)]
+pub fn member(object: &JsValue, name: &str) -> JsValue {
+    js_sys::Reflect::get(object, &name.into()).unwrap_or_default()
+}
+
 /// Listens to events of a kind.
 pub fn on<E: FromWasmAbi + 'static>(
     target: &EventTarget,

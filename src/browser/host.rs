@@ -2,9 +2,9 @@
 //! it. See `docs/embedding.md`.
 
 use super::app;
-use super::dom::{Listener, document, on, set_flag, window};
+use super::dom::{Listener, document, member, on, set_flag, window};
 use crate::play::page::Event;
-use js_sys::{Array, JSON, Reflect};
+use js_sys::{Array, JSON};
 use wasm_bindgen::prelude::*;
 use web_sys::{Element, IntersectionObserver, IntersectionObserverEntry, MessageEvent, Window};
 
@@ -66,7 +66,7 @@ impl Drop for Host {
 
 /// Does what the page around wishes: `{mosaic: 1, link: "croton?v=1&d=9"}` or `{mosaic: 1, day: 9}`.
 fn hear(said: &JsValue) {
-    let member = |name: &str| Reflect::get(said, &name.into()).unwrap_or_default();
+    let member = |name: &str| member(said, name);
     if member("mosaic").as_f64() != Some(f64::from(VERSION)) {
         return;
     }

@@ -13,6 +13,8 @@ mod card;
 mod chooser;
 #[cfg(feature = "draw")]
 mod controls;
+#[cfg(feature = "draw")]
+mod darkroom;
 mod dom;
 mod files;
 #[cfg(feature = "draw")]
@@ -70,6 +72,13 @@ pub fn start_studio() {
 pub fn start_workshop() {
     console_error_panic_hook::set_once();
     workshop::listen();
+}
+
+/// Starts the worker that draws films and large pictures for the studio.
+#[cfg(feature = "draw")]
+pub fn start_darkroom() {
+    console_error_panic_hook::set_once();
+    darkroom::listen();
 }
 
 /// Starts the service worker, which keeps a build of which all files are named.

@@ -3,6 +3,7 @@
 use super::app;
 use super::dom::{Listener, copy_of_template, find, on, set_attribute, set_flag, set_text, within};
 use super::typing::{self, set_value};
+use crate::play::Scene;
 use crate::play::page::{Event, Page};
 use crate::play::parameters::{PARAMETERS, Parameter};
 use crate::surface::Shortest;
@@ -11,6 +12,8 @@ use web_sys::{Element, HtmlElement, HtmlInputElement, HtmlOptionElement, HtmlSel
 pub struct Panel {
     rows: Vec<Row>,
     reset: HtmlElement,
+    /// Goes to the plant with the numbers of the thesis.
+    thesis: Element,
     noise: HtmlInputElement,
     plant: Option<&'static str>,
     _listeners: [Listener; 2],
@@ -44,11 +47,15 @@ impl Panel {
                 app::send(Event::Noise(switch.checked()))
             }),
         ];
-        Panel { rows, reset, noise, plant: None, _listeners: listeners }
+        Panel { rows, reset, thesis: find("thesis"), noise, plant: None, _listeners: listeners }
     }
 
     pub fn show(&mut self, page: &Page) {
-        let renamed = self.plant.replace(page.scene().plant.key) != self.plant;
+        let Scene { plant, individual, .. } = page.scene();
+        let renamed = self.plant.replace(plant.key) != self.plant;
+        let has_changed = plant.under(1).is_some_and(|first| first.rules != plant.rules);
+        set_flag(&self.thesis, "hidden", !has_changed);
+        set_attribute(&self.thesis, "href", format!("#{}?v=1&s={individual}", plant.key));
         self.noise.set_checked(page.scene().noise);
         let mut changed = page.scene().noise;
         for row in &self.rows {

@@ -1,6 +1,6 @@
 //! The stage: the canvas, its renderer, and what has been handed to it.
 
-mod picture;
+pub(super) mod picture;
 
 use super::app;
 use super::dom::{Listener, find, mark_when_missing, set_attribute, set_flag, window};
@@ -203,6 +203,7 @@ impl Stage {
         let (generation, day, count) = (shown.generation, shown.day, shown.facts.count.cells);
         let picture = Picture {
             plant: shown.scene.plant,
+            individual: shown.scene.individual,
             look: &shown.scene.look,
             show: shown.scene.show,
             mesh,

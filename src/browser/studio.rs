@@ -2,9 +2,11 @@
 //! page loads when it is first wanted, and has no private door into the page: a scene comes in as the link that
 //! the page would print, a file goes out, and a scene goes back as the address.
 
+mod atlas;
 mod bring_in;
 mod charts;
 mod class;
+mod darkroom;
 mod files;
 mod fit;
 mod leaflet;

@@ -5,6 +5,25 @@ use super::{DrawError, Renderer};
 use std::sync::Arc;
 use wasm_bindgen::{JsCast, closure::Closure};
 use wasm_bindgen_futures::spawn_local;
+use web_sys::{EventTarget, HtmlCanvasElement, OffscreenCanvas};
+
+/// What a renderer draws on: a canvas of a page or, in a worker, one that nobody sees.
+pub trait Canvas: AsRef<EventTarget> {
+    #[doc(hidden)]
+    fn target(self) -> wgpu::SurfaceTarget<'static>;
+}
+
+impl Canvas for HtmlCanvasElement {
+    fn target(self) -> wgpu::SurfaceTarget<'static> {
+        wgpu::SurfaceTarget::Canvas(self)
+    }
+}
+
+impl Canvas for OffscreenCanvas {
+    fn target(self) -> wgpu::SurfaceTarget<'static> {
+        wgpu::SurfaceTarget::OffscreenCanvas(self)
+    }
+}
 
 impl Renderer {
     /// Starts the graphics card for a canvas. `on_trouble` is told, in its own turn of the event
@@ -12,15 +31,15 @@ impl Renderer {
     /// another one, on a new canvas. It may be told more than once, also before the renderer is there
     /// and after it is dropped.
     pub async fn new(
-        canvas: web_sys::HtmlCanvasElement,
+        canvas: impl Canvas,
         on_trouble: impl Fn(String) + Copy + Send + Sync + 'static,
     ) -> Result<Renderer, DrawError> {
         // A little later: the page may be in the midst of a call to the renderer.
         let tell = move |message| spawn_local(async move { on_trouble(message) });
-        listen_to_context_loss(&canvas, tell);
+        listen_to_context_loss(canvas.as_ref(), tell);
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
         let surface = instance
-            .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
+            .create_surface(canvas.target())
             .map_err(|e| DrawError::NoSurface(e.to_string()))?;
         let adapter = instance
             .request_adapter(&wgpu::RequestAdapterOptions {
@@ -57,7 +76,7 @@ impl Renderer {
 }
 
 /// WebGL2 says by an event on the canvas that its context is lost: once, since nobody asks for it back.
-fn listen_to_context_loss(canvas: &web_sys::HtmlCanvasElement, tell: impl Fn(String) + 'static) {
+fn listen_to_context_loss(canvas: &EventTarget, tell: impl Fn(String) + 'static) {
     let lost = Closure::once_into_js(move || tell("the WebGL context is lost".into()));
     // Fails for no canvas.
     let _ = canvas.add_event_listener_with_callback("webglcontextlost", lost.unchecked_ref());

@@ -9,6 +9,7 @@ pub enum Kind {
     ThreeMf,
     Usdz,
     Svg,
+    Leaves,
     Tile,
     Days,
     Clones,
@@ -16,13 +17,14 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub const ALL: [Kind; 10] = [
+    pub const ALL: [Kind; 11] = [
         Kind::Glb,
         Kind::Ply,
         Kind::Obj,
         Kind::ThreeMf,
         Kind::Usdz,
         Kind::Svg,
+        Kind::Leaves,
         Kind::Tile,
         Kind::Days,
         Kind::Clones,
@@ -38,6 +40,7 @@ impl Kind {
             Kind::ThreeMf => "3mf",
             Kind::Usdz => "usdz",
             Kind::Svg => "svg",
+            Kind::Leaves => "leaves",
             Kind::Tile => "tile",
             Kind::Days => "days",
             Kind::Clones => "clones",
@@ -52,6 +55,7 @@ impl Kind {
     /// How the name of its file ends, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
+            Kind::Leaves => "zip",
             Kind::Tile => "png",
             Kind::Days | Kind::Clones | Kind::Cells => "csv",
             kind => kind.word(),

@@ -3,20 +3,21 @@
 use super::cells::write_cells;
 use super::clones::write_clones;
 use super::days::DayNumbers;
+use super::flats::Flats;
 use super::glb::write_glb;
 use super::kind::Kind;
+use super::leaves::LeafSet;
 use super::obj::{write_mtl, write_obj};
-use super::picture::write_opaque;
+use super::picture::{Channels, write_square};
 use super::ply::write_ply;
 use super::specimen::Specimen;
-use super::svg;
+use super::svg::write_svg;
 use super::three_mf::write_3mf;
 use super::tile::Tile;
 use super::usdz::write_usdz;
 use crate::mosaic::Pattern;
 use crate::plants::{self, Show};
 use crate::play::{Scene, link};
-
 use crate::surface::{Body, Charts, Mesh, Ornament, flat_torus};
 use crate::tissue::{CLAN_STEPS, Diary, Growth, Noise, clan_step};
 use glam::DVec3;
@@ -77,6 +78,9 @@ impl Order {
         if self.kind == Kind::Days {
             return self.write_days(&diary);
         }
+        if self.kind == Kind::Leaves {
+            return write_leaves(&[(self, &diary)]);
+        }
         let diary = self.painted(&diary, day).unwrap_or(diary);
         let mesh = &*self.mesh.on(day as u32);
         let mut written = match self.kind {
@@ -92,29 +96,30 @@ impl Order {
             Kind::Tile => {
                 let tile = Tile::new(mesh, TILE_SIDE_CM, &self.scene.look, &diary, day);
                 let written = file(|out| {
-                    out.extend(write_opaque(TILE_PX, &tile.pixels(TILE_PX))?);
+                    out.extend(write_square(TILE_PX, Channels::Colour, &tile.pixels(TILE_PX))?);
                     Ok(())
                 });
                 written.map(|written| written.told(format!("{TILE_PX} pixels wide")))
             }
-            Kind::Days => unreachable!("written above"),
+            Kind::Days | Kind::Leaves => unreachable!("written above"),
             Kind::Glb | Kind::Ply | Kind::Obj | Kind::ThreeMf | Kind::Usdz | Kind::Svg => {
-                let ornaments: Vec<Ornament> =
-                    self.ornaments.iter().map(|part| part.on(day as u32)).collect();
-                let (body, controls) =
-                    ((&*self.mesh, mesh, &ornaments[..]), self.scene.plant.controls());
-                let link = self.link(day);
-                let look = &self.scene.look;
-                let specimen = Specimen::new(body, look, &controls, (&diary, day), link);
-                write_specimen(self.kind, &specimen, name)
+                self.specimen(&diary, |specimen| write_specimen(self.kind, specimen, name))
             }
         }?;
-        let bytes: usize = written.files.iter().map(Vec::len).sum();
-        let facts = [format!("{} cells", diary.days[day].places.len()), written.told];
-        let facts: Vec<String> = facts.into_iter().filter(|fact| !fact.is_empty()).collect();
-        written.told =
-            format!("{}, day {day}, {}, {bytes} bytes", self.kind.word(), facts.join(", "));
+        written.sum_up(self.kind, day, diary.days[day].places.len());
         Ok(written)
+    }
+
+    /// The plant of the last day of a diary.
+    fn specimen<T>(&self, diary: &Diary, take: impl FnOnce(&Specimen) -> T) -> T {
+        let day = diary.days.len() - 1;
+        let mesh = &*self.mesh.on(day as u32);
+        let ornaments: Vec<Ornament> =
+            self.ornaments.iter().map(|part| part.on(day as u32)).collect();
+        let (body, controls) =
+            ((&*self.mesh, mesh, &ornaments[..]), self.scene.plant.controls(self.scene.individual));
+        let link = self.link(day);
+        take(&Specimen::new(body, &self.scene.look, &controls, (diary, day), link))
     }
 
     /// A day that stands in the diary of the growth, in numbers. `charts` are those of the body.
@@ -159,7 +164,9 @@ impl Order {
     /// The link that shows it, or, of a plant that is not in the catalogue, its name.
     fn link(&self, day: usize) -> String {
         let scene = &self.scene;
-        if plants::find(scene.plant.key).is_some_and(|own| own == scene.plant) {
+        let of_catalogue =
+            plants::find(scene.plant.key).and_then(|newest| newest.under(scene.plant.rules as u32));
+        if of_catalogue == Some(scene.plant) {
             let shown = Scene { day: day as u32, show: Show::Cells, ..scene.clone() };
             return link::write(&shown);
         }
@@ -170,6 +177,14 @@ impl Order {
 impl Written {
     fn told(self, told: String) -> Written {
         Written { told, ..self }
+    }
+
+    /// Says what has been told so far in a line with the rest.
+    fn sum_up(&mut self, kind: Kind, day: usize, cells: usize) {
+        let bytes: usize = self.files.iter().map(Vec::len).sum();
+        let facts = [format!("{cells} cells"), std::mem::take(&mut self.told)];
+        let facts: Vec<String> = facts.into_iter().filter(|fact| !fact.is_empty()).collect();
+        self.told = format!("{}, day {day}, {}, {bytes} bytes", kind.word(), facts.join(", "));
     }
 }
 
@@ -193,7 +208,10 @@ fn counted(content: impl FnOnce(&mut Vec<u8>) -> io::Result<usize>) -> Result<Wr
 fn write_specimen(kind: Kind, specimen: &Specimen, name: &str) -> Result<Written, String> {
     let triangles = format!("{} triangles", specimen.triangle_count());
     match kind {
-        Kind::Svg => write_svg(specimen),
+        Kind::Svg => {
+            let sheets = Flats::new(specimen)?;
+            Ok(file(|out| write_svg(specimen, &sheets, out))?.told(sheets.told()))
+        }
         Kind::ThreeMf => counted(|out| write_3mf(specimen, out)),
         Kind::Usdz => counted(|out| write_usdz(specimen, out)),
         Kind::Obj => {
@@ -206,23 +224,33 @@ fn write_specimen(kind: Kind, specimen: &Specimen, name: &str) -> Result<Written
     }
 }
 
-/// Writes what can be laid flat.
-fn write_svg(specimen: &Specimen) -> Result<Written, String> {
-    let pattern = svg::Pattern::new(specimen);
-    let mut why: Vec<&str> = pattern.left_out.iter().map(|(_, why)| why.as_str()).collect();
-    why.dedup();
-    let why = why.join("; ");
-    if pattern.count() == 0 {
-        return Err(format!("nothing of this plant can be laid flat: {why}"));
+/// Writes the leaves of some individuals of one plant on the last days of their diaries, which belong to growths of
+/// `Kind::Leaves`.
+///
+/// # Errors
+/// In plain words, why there are none.
+pub fn write_leaves(grown: &[(&Order, &Diary)]) -> Result<Written, String> {
+    let mut set: Option<LeafSet> = None;
+    let (mut link, mut told) = (String::new(), String::new());
+    for (k, (order, diary)) in grown.iter().enumerate() {
+        let painted = order.painted(diary, diary.days.len() - 1);
+        order.specimen(painted.as_ref().unwrap_or(diary), |specimen| {
+            let sheets = Flats::new(specimen)?;
+            let has_veins = specimen.mesh.veins.any(u32::MAX);
+            let set = set.get_or_insert_with(|| {
+                (link, told) = (specimen.link.clone(), sheets.told());
+                LeafSet::new(&sheets, grown.len() as u32, has_veins)
+            });
+            set.draw(k, order.scene.individual, specimen, &sheets);
+            Ok::<(), String>(())
+        })?;
     }
-    let (sheets, stretch) = (pattern.count(), 100.0 * pattern.stretch);
-    let left_out = match pattern.left_out.len() {
-        0 => String::new(),
-        parts => format!(", without {parts} that cannot be laid flat ({why})"),
-    };
-    let word = if sheets == 1 { "part" } else { "parts" };
-    let told = format!("{sheets} {word}, stretched by {stretch:.1} %{left_out}");
-    Ok(file(|out| pattern.write(specimen, out))?.told(told))
+    let set = set.ok_or("there are no individuals")?;
+    let mut written = file(|out| set.write(&link, out))?.told(format!("{told}, {}", set.told()));
+    let last_days = grown.iter().filter_map(|(_, diary)| diary.days.last());
+    let day = grown.iter().map(|(_, diary)| diary.days.len() - 1).max().unwrap_or(0);
+    written.sum_up(Kind::Leaves, day, last_days.map(|day| day.places.len()).sum());
+    Ok(written)
 }
 
 /// The clans of a day, by the steps of their sizes.

@@ -106,7 +106,12 @@ pub fn steps(grown: &[Grown]) -> Option<(Chart, String)> {
     let Grown { scene, .. } = grown.first()?;
     let plant = scene.plant;
     let differs = |p: &&Parameter| grown.iter().any(|other| p.get(&other.scene) != p.get(scene));
-    let parameter = PARAMETERS.iter().filter(|p| p.is_for(plant) && !p.is_colour).find(differs)?;
+    let mut differing =
+        PARAMETERS.iter().filter(|p| p.is_for(plant) && !p.is_colour).filter(differs);
+    let parameter = differing.next()?;
+    if let Some(other) = differing.next() {
+        return Some(map(grown, parameter, other));
+    }
     let mut steps: Vec<(f64, Vec<f64>)> = Vec::new();
     for grown in grown {
         let value = parameter.get(&grown.scene);
@@ -147,6 +152,65 @@ pub fn steps(grown: &[Grown]) -> Option<(Chart, String)> {
         foot: 0.0,
     };
     Some((chart, told))
+}
+
+/// The share of the foreground by the values of two numbers: a line for each value of the second one.
+fn map(grown: &[Grown], across: &Parameter, down: &Parameter) -> (Chart, String) {
+    let Scene { plant, day, .. } = grown[0].scene;
+    let name = plant.colour_names[0];
+    let values = |number: &Parameter| {
+        let mut values: Vec<f64> = grown.iter().map(|grown| number.get(&grown.scene)).collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        values
+    };
+    let (columns, rows) = (values(across), values(down));
+    let share = |x: f64, y: f64| {
+        let there = |grown: &&Grown| across.get(&grown.scene) == x && down.get(&grown.scene) == y;
+        let shares: Vec<f64> = grown.iter().filter(there).map(Grown::share).collect();
+        shares.iter().sum::<f64>() / shares.len() as f64
+    };
+    let lines = rows.iter().enumerate().map(|(k, &y)| Line {
+        name: format!("{} {y}", down.label(plant)),
+        colour: between(k as f64 / (rows.len() - 1) as f64),
+        is_dashed: false,
+        is_dots: false,
+        values: columns.iter().map(|&x| share(x, y)).collect(),
+    });
+    let (mut least, mut most) = (&grown[0], &grown[0]);
+    for grown in grown {
+        least = if grown.share() < least.share() { grown } else { least };
+        most = if grown.share() > most.share() { grown } else { most };
+    }
+    let labels = [across, down].map(|number| number.label(plant));
+    let said = |grown: &Grown| {
+        let [x, y] = [across, down].map(|number| number.get(&grown.scene));
+        format!("{} in 100 with {x} and {y}", whole(100.0 * grown.share()))
+    };
+    let told = format!(
+        "{} and {}: on day {day} the {name} cells are fewest, {}, and most, {}.",
+        labels[0],
+        labels[1],
+        said(least),
+        said(most)
+    );
+    let chart = Chart {
+        title: format!("Share of the {name} cells by {}", labels[0]),
+        along: "with",
+        places: columns.iter().map(f64::to_string).collect(),
+        lines: lines.collect(),
+        band: None,
+        is_share: true,
+        foot: 0.0,
+    };
+    (chart, told)
+}
+
+/// A colour on the way from the first line of a map to its last one.
+fn between(share: f64) -> String {
+    let part = |from: f64, to: f64| (from + (to - from) * share) as u8;
+    let [r, g, b] = [part(230.0, 40.0), part(180.0, 60.0), part(40.0, 150.0)];
+    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 fn whole(value: f64) -> String {
@@ -212,5 +276,23 @@ mod tests {
         assert!(chart.lines[2].values[0].is_nan() && chart.lines[2].values[1] == 0.7);
         assert!(told.contains("10 in 100 with 0.1, 60 in 100 with 0.5"), "{told}");
         assert!(steps(&all[..2]).is_none(), "only the individual differs");
+    }
+
+    #[test]
+    fn two_numbers_make_a_line_for_each_value_of_the_second() {
+        let link = |pf: f64, df: f64| format!("croton-shrub?v=1&s=1&d=9&pf={pf}&df={df}");
+        let all = [
+            grown(&link(0.5, 9.0), [50, 50, 0]),
+            grown(&link(0.1, 9.0), [10, 90, 0]),
+            grown(&link(0.5, 6.0), [80, 20, 0]),
+            grown(&link(0.1, 6.0), [30, 70, 0]),
+        ];
+        let (chart, told) = steps(&all).unwrap();
+        let values: Vec<&[f64]> = chart.lines.iter().map(|line| &line.values[..]).collect();
+        // In the order of the table of numbers, which has pf first.
+        assert_eq!(chart.places, ["0.1", "0.5"]);
+        assert_eq!(values, [[0.3, 0.8], [0.1, 0.5]]);
+        assert!(chart.lines[0].name.ends_with(" 6") && chart.lines[1].name.ends_with(" 9"));
+        assert!(told.contains("fewest, 10 in 100 with 0.1 and 9, and most, 80 in 100"), "{told}");
     }
 }

@@ -4,7 +4,7 @@
 //! Viewers of phones pass over colours at corners, and over what is said of the other side of a sheet. So each
 //! triangle looks into the middle of the square of its colour, and a surface with a rim is there twice.
 
-use super::picture::write_opaque;
+use super::picture::{Channels, write_square};
 use super::ply::bytes;
 use super::specimen::Specimen;
 use super::zip::write_zip;
@@ -73,7 +73,7 @@ pub fn write_usdz(specimen: &Specimen, out: &mut impl Write) -> io::Result<usize
         colours.get(x + y * side).copied().unwrap_or_default()
     };
     let pixels: Vec<u8> = (0..side_px * side_px).flat_map(pixel).collect();
-    let picture = write_opaque(side_px as u32, &pixels)?;
+    let picture = write_square(side_px as u32, Channels::Colour, &pixels)?;
     write_zip(&[("plant.usda", text.as_bytes()), ("colours.png", &picture)], ALIGNED, out)?;
     Ok(triangles)
 }

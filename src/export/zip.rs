@@ -60,7 +60,7 @@ fn size(bytes: usize) -> io::Result<u32> {
 }
 
 /// The check of ISO 3309, a byte at a time.
-fn crc32(bytes: &[u8]) -> u32 {
+pub(super) fn crc32(bytes: &[u8]) -> u32 {
     let table: [u32; 256] = std::array::from_fn(|k| {
         (0..8).fold(k as u32, |c, _| if c & 1 == 1 { 0xedb8_8320 ^ c >> 1 } else { c >> 1 })
     });

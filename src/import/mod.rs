@@ -25,11 +25,15 @@ pub fn link_of_file(bytes: &[u8], now: &Scene) -> Result<String, String> {
         Ok(text) if text.trim_start_matches('\u{feff}').trim_start().starts_with('{') => {
             link_of_json(text, now)
         }
-        _ => link_within(png_text(bytes).unwrap_or(bytes)).ok_or_else(|| {
-            "This file holds no link of the playground: it opens pictures, models and documents that were \
-             taken away here."
-                .to_string()
-        }),
+        _ => {
+            let comment = gif_comment(bytes);
+            let text = comment.as_deref().or_else(|| png_text(bytes)).unwrap_or(bytes);
+            link_within(text).ok_or_else(|| {
+                "This file holds no link of the playground: it opens pictures, films, models and documents \
+                 that were taken away here."
+                    .to_string()
+            })
+        }
     }
 }
 
@@ -46,6 +50,19 @@ fn png_text(bytes: &[u8]) -> Option<&[u8]> {
         }
         rest = after.get(length.checked_add(8)?..)?;
     }
+}
+
+/// The comment of a GIF, which stands in blocks of at most 255 bytes. Ours comes before the first frame.
+fn gif_comment(bytes: &[u8]) -> Option<Vec<u8>> {
+    let rest = bytes.strip_prefix(b"GIF89a")?;
+    let at = rest.windows(2).position(|two| two == b"\x21\xfe")?;
+    let (mut rest, mut text) = (&rest[at + 2..], Vec::new());
+    while let Some((&length, after)) = rest.split_first().filter(|(length, _)| **length > 0) {
+        let (block, after) = after.split_at_checked(length.into())?;
+        text.extend(block);
+        rest = after;
+    }
+    Some(text)
 }
 
 /// The first link that stands in a file as text: all of ours are written so.
@@ -80,10 +97,12 @@ fn link_of_plant(document: &Value) -> Result<String, String> {
     let text = |field: &str| document["names"][field].as_str().unwrap_or_default();
     let without_numbers = |document: &Value| {
         let mut rest = document.as_object().cloned().unwrap_or_default();
-        rest.retain(|field, _| !["recipe", "look"].contains(&field.as_str()));
+        rest.retain(|field, _| !["rules", "recipe", "look"].contains(&field.as_str()));
         rest
     };
-    let own = plants::find(text("key")).filter(|own| {
+    let version = document["rules"].as_u64().unwrap_or(1) as u32;
+    let of_version = plants::find(text("key")).and_then(|newest| newest.under(version));
+    let own = of_version.filter(|own| {
         let own: Value = serde_json::from_str(&own.to_json()).expect("documents are JSON");
         without_numbers(&own) == without_numbers(document)
     });
@@ -136,6 +155,15 @@ mod tests {
             format!("<metadata>Clonal Mosaic {}</metadata>", link.replace('&', "&amp;"))
                 .into_bytes(),
             format!("ply\ncomment {link}\nend_header\n\u{1}").into_bytes(),
+            // A GIF has its comment in blocks.
+            [
+                b"GIF89a0000000\x21\xfe\x0a",
+                &link.as_bytes()[..10],
+                b"\x14",
+                &link.as_bytes()[10..],
+                b"\09",
+            ]
+            .concat(),
         ] {
             assert_eq!(link_of_file(&file, &scene("")).as_deref(), Ok(link));
         }

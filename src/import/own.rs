@@ -31,14 +31,14 @@ pub fn of_document(json: &str, obj: &str) -> Result<Own, String> {
     Ok(Own { key, text, told: Vec::new() })
 }
 
-/// Makes a plant of an OBJ file: its body, mended as `Brought` does, with the recipe and the colours of a scene. Its
+/// Makes a plant of an OBJ, PLY or GLB file: its body, mended as `Brought` does, with the recipe and the colours of a scene. Its
 /// control images and its direction field belong to its own body, and stay there.
 ///
 /// # Errors
 /// In plain words, why cells cannot grow on it.
 pub fn of_mesh(file: &[u8], name: &str, scene: &Scene) -> Result<Own, String> {
     let brought = Brought::read(file).map_err(|why: BroughtError| why.to_string())?;
-    let Brought { body, mut mesh, joined_edges, left_out_triangles, .. } = brought;
+    let Brought { body, mut mesh, unit_cm, joined_edges, left_out_triangles, .. } = brought;
     let triangles = body.surface.triangles.len();
     if triangles > MOST_TRIANGLES {
         return Err(format!(
@@ -49,6 +49,9 @@ pub fn of_mesh(file: &[u8], name: &str, scene: &Scene) -> Result<Own, String> {
         1 => format!("{triangles} triangles"),
         parts => format!("{triangles} triangles in {parts} parts"),
     }];
+    if unit_cm > 1.0 {
+        told.push("in metres, as GLB files are".to_string());
+    }
     if joined_edges > 0 {
         told.push(format!("{joined_edges} pairs of rim edges were joined"));
     }
@@ -61,7 +64,8 @@ pub fn of_mesh(file: &[u8], name: &str, scene: &Scene) -> Result<Own, String> {
     let high = mesh.positions.iter().copied().reduce(|a, b| a.max(b)).unwrap_or_default();
     let size_cm = (high - low).max_element();
     if !SIZES_CM.contains(&size_cm) {
-        mesh.positions.iter_mut().for_each(|at| *at *= USUAL_CM / size_cm);
+        let then = mesh.moments.iter_mut().flat_map(|moment| &mut moment.positions);
+        mesh.positions.iter_mut().chain(then).for_each(|at| *at *= USUAL_CM / size_cm);
         told.push(format!("{size_cm} cm large, so it was made {USUAL_CM} cm"));
     }
     let Scene { plant, recipe, look, .. } = scene;
@@ -163,7 +167,9 @@ mod tests {
         }
         let body = bring(&own.text).unwrap().body.grow(&own.text).unwrap();
         assert!((body.surface.area - 400.0).abs() < 1e-3, "{}", body.surface.area);
-        for (file, why) in [(&b"glTF\x02\0\0\0"[..], "GLB"), (b"v 0 0 0\n", "no faces")] {
+        for (file, why) in
+            [(&b"glTF\x02\0\0\0"[..], "the GLB file: it ends"), (b"v 0 0 0\n", "no faces")]
+        {
             let refused = of_mesh(file, "no", &shrub).unwrap_err();
             assert!(refused.contains(why), "{refused}");
         }

@@ -80,6 +80,9 @@ pub struct ClanColours {
 /// Rounds in which clans that clash are given other colours: more than it ever takes.
 const MOST_ROUNDS: usize = 20;
 
+/// From this round on, a clan that clashes has neighbours of all colours: they are given others, too.
+const WIDER_ROUND: usize = 8;
+
 /// No colour yet.
 const NONE: u8 = u8::MAX;
 
@@ -115,7 +118,11 @@ impl ClanColours {
                     break;
                 }
             }
-            let pairs = touching(&|a, b| clashes[a as usize] || clashes[b as usize]);
+            let mut pairs = touching(&|a, b| clashes[a as usize] || clashes[b as usize]);
+            if round >= WIDER_ROUND {
+                pairs.iter().flatten().for_each(|&clan| clashes[clan as usize] = true);
+                pairs = touching(&|a, b| clashes[a as usize] || clashes[b as usize]);
+            }
             recolour(&mut colours, &clashes, &Neighbours::new(clans, &pairs));
         }
         self.days.push(colours);

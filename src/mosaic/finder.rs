@@ -64,9 +64,10 @@ impl SiteFinder {
         }
     }
 
-    /// Begins another growth on the same mesh: its lists are those of a new finder. Charts that were made for
-    /// wider spacings would show the images of a triangle in another order.
-    pub fn begin(&mut self) {
+    /// Begins another growth on the same mesh, coloured by its own control images: its lists are those of a new
+    /// finder. Charts that were made for wider spacings would show the images of a triangle in another order.
+    pub fn begin(&mut self, controls: Vec<Control>) {
+        self.controls = controls;
         self.charts.clear();
         self.reach.fill(FIRST_REACH);
     }

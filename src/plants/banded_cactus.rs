@@ -1,12 +1,13 @@
 //! Banded cactus: yellow belts round green columns (Thesis, Fig. 4.13).
 
 use super::paint::{Belts, Image, ImageRule, Paint};
-use super::{Plant, cactus};
+use super::{Plant, Rules, cactus};
 use crate::surface::{Cylinder, Wrap};
 use crate::tissue::{Recipe, Use};
 use glam::Vec3;
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
     key: "banded-cactus",
     name: "Banded cactus",
     source: "Thesis, Fig. 4.13",
@@ -21,10 +22,32 @@ pub const PLANT: Plant = Plant {
         // as sharp as in the image.
         repulsion: 0.04,
         // Individuals have from 7,800 to 8,100 cells.
-        ..cactus::PLANT.recipe
+        ..cactus::FIRST.recipe
     },
     paint: &[BELTS],
-    ..cactus::PLANT
+    ..cactus::FIRST
+};
+
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    source: "after Thesis, Fig. 4.13",
+    recipe: Recipe {
+        // Smaller cells that feel each other less far leave the belts rough and peppered with green.
+        initial_cells: 14_000,
+        initial_probability: [0.93, 0.07, 0.0],
+        radius_scale: 1.3,
+        repulsion: 0.2,
+        ..FIRST.recipe
+    },
+    look: cactus::LOOK,
+    paint: &[Paint {
+        image: Image {
+            rule: ImageRule::Belts(Belts { astray_cm: 5.0, lobes_cm: [2.2, 0.9], ..LOBED }),
+            ..BELTS.image
+        },
+        ..BELTS
+    }],
+    ..FIRST
 };
 
 /// Towards the small column; of unit length.
@@ -40,16 +63,15 @@ const BELTS: Paint = Paint {
         zero: ACROSS,
         height: HEIGHT_CM,
     }),
-    image: Image {
-        width: 256,
-        height: 256,
-        rule: ImageRule::Belts(Belts {
-            height_cm: HEIGHT_CM,
-            near_cm: &[[9.0, 15.5]],
-            far_cm: &[[3.5, 8.0], [14.5, 24.0], [31.5, 36.0]],
-            // Straight borders look painted on, with twice as much belts break.
-            lobes_cm: [1.5, 0.9],
-        }),
-    },
+    image: Image { width: 256, height: 256, rule: ImageRule::Belts(LOBED) },
     use_as: Use::FOREGROUND,
+};
+
+const LOBED: Belts = Belts {
+    height_cm: HEIGHT_CM,
+    near_cm: &[[9.0, 15.5]],
+    far_cm: &[[3.5, 8.0], [14.5, 24.0], [31.5, 36.0]],
+    // Straight borders look painted on, with twice as much belts break.
+    lobes_cm: [1.5, 0.9],
+    astray_cm: 0.0,
 };

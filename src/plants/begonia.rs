@@ -2,11 +2,12 @@
 //! skin of the leaf, and veins have no room for it (Sheue et al., Annals of Botany 109, 2012).
 
 use super::paint::{AWAY, NEAR, Paint};
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Levels, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::tissue::CellType::{Background, Foreground, Middle};
 use crate::tissue::{Clock, Recipe, Scaled, Use};
 
 pub const PLANT: Plant = Plant {
+    rules: Rules::First,
     key: "begonia",
     name: "Polka dot begonia",
     latin: "Begonia maculata",

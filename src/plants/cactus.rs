@@ -1,9 +1,11 @@
 //! Cactus: yellow blotches on blue-green columns (Thesis, Fig. 4.8).
 
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Levels, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::tissue::Recipe;
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
+    rules: Rules::First,
     key: "cactus",
     name: "Cactus",
     latin: "Cereus hildmannianus",
@@ -62,4 +64,29 @@ pub const PLANT: Plant = Plant {
     paint: &[],
     guides: None,
     motion: Motion::STILL,
+};
+
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    source: "after Thesis, Fig. 4.8",
+    recipe: Recipe {
+        // With a few green children of yellow cells and half the reach, patches are freckled and their
+        // borders rough, as in living variegated plants. More clones keep a third of the skin yellow, and
+        // 0.08 * 2^2 = 0.32 gives steps the length that they had.
+        initial_cells: 10_000,
+        initial_probability: [0.005, 0.995, 0.0],
+        mutation: [[0.97, 0.03, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        radius_scale: 2.0,
+        repulsion: 0.08,
+        ..FIRST.recipe
+    },
+    look: LOOK,
+    ..FIRST
+};
+
+/// Under a waxy bloom the green is pale and grey, and less glossy.
+pub(super) const LOOK: Look = Look {
+    cells: [[0.925, 0.824, 0.341], [0.36, 0.52, 0.44], [0.5, 0.5, 0.2]],
+    gloss: 0.15,
+    ..FIRST.look
 };

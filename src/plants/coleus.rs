@@ -1,12 +1,14 @@
 //! Coleus: a wine-red middle that runs out in fingers along the veins into lime, within a thin green rim.
 
 use super::paint::{Blaze, Image, ImageRule, Paint, Pixels};
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Levels, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::surface::{AlongVeins, Wrap};
 use crate::tissue::CellType::{Background, Foreground, Middle};
 use crate::tissue::{Clock, Recipe, Use};
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
+    rules: Rules::First,
     key: "coleus",
     name: "Coleus",
     latin: "Coleus scutellarioides",
@@ -56,6 +58,9 @@ pub const PLANT: Plant = Plant {
     motion: Motion::STILL,
 };
 
+/// The same, and in each individual its own.
+pub const PLANT: Plant = Plant { rules: Rules::Second, ..FIRST };
+
 /// F in the middle of the leaf; what is left is M.
 const MIDDLE: Paint = Paint {
     wrap: Wrap::Leaf,
@@ -69,6 +74,7 @@ const MIDDLE: Paint = Paint {
             strokes: 25.0,
             broad: 0.15,
             lean: 0.0,
+            astray: 0.0,
         }),
     },
     use_as: Use::FirstCells { of: Foreground, instead: Middle },

@@ -1,12 +1,14 @@
 //! Croton: a shrub whose leaves turn from green to yellow in one run (Thesis, Fig. 4.3).
 
 use super::paint::{Grain, Image, ImageRule, Paint};
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Levels, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::surface::{Cylinder, Wrap};
 use crate::tissue::{Recipe, Use};
 use glam::Vec3;
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
+    rules: Rules::First,
     key: "croton",
     name: "Croton",
     latin: "Codiaeum variegatum",
@@ -62,6 +64,27 @@ pub const PLANT: Plant = Plant {
     paint: &[YOUNG_LEAVES],
     guides: None,
     motion: Motion::STILL,
+};
+
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    source: "after Thesis, Fig. 4.3",
+    look: LOOK,
+    // Gold dust is green with flecks at any age; on day 15 half of it is yellow.
+    first_day: 8,
+    ..FIRST
+};
+
+/// Leaf greens of nature lean to yellow, and bark to grey.
+pub(super) const LOOK: Look = Look {
+    cells: [[0.91, 0.784, 0.227], [0.15, 0.33, 0.12], [0.5, 0.5, 0.2]],
+    bare: &[
+        ("petiole", [0.42, 0.47, 0.2], 0.3),
+        ("bark", [0.47, 0.42, 0.33], 0.05),
+        ("pot", [0.66, 0.36, 0.24], 0.08),
+        ("soil", [0.2, 0.15, 0.11], 0.0),
+    ],
+    ..FIRST.look
 };
 
 /// Young leaves are greener than old ones: the higher in the shrub, the fewer first cells are left

@@ -1,9 +1,10 @@
 //! Young croton: gold dust on green leaves, one clone a fleck (Thesis, Fig. 4.1, 4.2 and 4.4).
 
-use super::{Plant, croton};
+use super::{Plant, Rules, croton};
 use crate::tissue::Recipe;
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
     key: "croton-shrub",
     name: "Young croton",
     source: "Thesis, Fig. 4.1",
@@ -17,9 +18,21 @@ pub const PLANT: Plant = Plant {
         days: 35,
         // Individuals have from 17,600 to 18,200 cells.
         max_cells: 60_000,
-        ..croton::PLANT.recipe
+        ..croton::FIRST.recipe
     },
     first_day: 35,
     paint: &[],
-    ..croton::PLANT
+    ..croton::FIRST
+};
+
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    source: "after Thesis, Fig. 4.1",
+    recipe: Recipe {
+        // A green plant with flecks, as the living ones are.
+        initial_probability: [0.2, 0.8, 0.0],
+        ..FIRST.recipe
+    },
+    look: croton::LOOK,
+    ..FIRST
 };

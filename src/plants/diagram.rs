@@ -51,13 +51,13 @@ const INK: [f32; 3] = [0.16, 0.2, 0.12];
 const PENCIL: [f32; 3] = [0.85, 0.22, 0.1];
 
 impl Show {
-    /// The drawing that it is, empty for cells and for what the plant does not have. `mesh`: the
-    /// plant's surface. Takes as long as a direction field or control images take to make: a few
+    /// The drawing that it is of an individual, empty for cells and for what the plant does not have.
+    /// `mesh`: the plant's surface. Takes as long as a direction field or control images take to make: a few
     /// milliseconds.
-    pub fn diagram(self, plant: &Plant, mesh: &Mesh) -> Diagram {
+    pub fn diagram(self, plant: &Plant, individual: u32, mesh: &Mesh) -> Diagram {
         match self {
             Show::Cells | Show::Clans => Diagram::default(),
-            Show::ControlImages => images(mesh, plant.controls()),
+            Show::ControlImages => images(mesh, plant.controls(individual)),
             _ => match plant.field(mesh) {
                 Ok(Some(field)) => directions(self, mesh, &field),
                 _ => Diagram::default(),
@@ -119,7 +119,7 @@ fn images(mesh: &Mesh, controls: Vec<Control>) -> Diagram {
         let grey = |kind: CellType| GREYS[kind as usize];
         let [from, black, white] = match use_as {
             Use::FirstCells { of, instead } => [of, instead, of].map(grey),
-            Use::Scale { .. } => [1.0, 0.0, 1.0],
+            Use::Scale { .. } | Use::Wall => [1.0, 0.0, 1.0],
             Use::Colour { of } => {
                 let untinted = 0.65 * grey(of);
                 [grey(of), untinted, untinted + 0.35]
@@ -191,7 +191,7 @@ mod tests {
         let plant = find("philodendron").unwrap();
         let mesh = plant.embedded_body().surface;
         let field = plant.field(&mesh).unwrap().unwrap();
-        let diagram = Show::FieldArrows.diagram(plant, &mesh);
+        let diagram = Show::FieldArrows.diagram(plant, 1, &mesh);
         assert_eq!(diagram.lines.len(), mesh.triangles.len());
         for (triangle, &[from, to]) in (0..).zip(&diagram.lines) {
             assert!(from.midpoint(to).distance(mesh.centroid(triangle)) < 1e-4);
@@ -206,7 +206,7 @@ mod tests {
     fn tints_are_shown_on_what_first_cells_may_be() {
         let plant = find("mushroom").unwrap();
         let mesh = plant.embedded_body().surface;
-        let layers = Show::ControlImages.diagram(plant, &mesh).layers;
+        let layers = Show::ControlImages.diagram(plant, 1, &mesh).layers;
         let greys: Vec<_> = layers.iter().map(|l| [l.from, l.black, l.white]).collect();
         assert_eq!(greys, [[1.0, 0.0, 1.0], [1.0, 0.65, 1.0]]);
         assert!(Show::ControlImages.meaning(plant).ends_with("are tinted."));
@@ -217,7 +217,7 @@ mod tests {
     fn cylinders_just_hold_what_they_wrap() {
         let plant = find("watermelon").unwrap();
         let mesh = plant.embedded_body().surface;
-        let [Control { wrap: Wrap::Cylinder(cylinder), .. }] = plant.controls()[..] else {
+        let [Control { wrap: Wrap::Cylinder(cylinder), .. }] = plant.controls(1)[..] else {
             panic!("one cylinder");
         };
         let radius_cm = radius_cm(&cylinder, &mesh);
@@ -225,14 +225,14 @@ mod tests {
             |p: &Vec3| (*p - cylinder.base).reject_from_normalized(cylinder.axis).length();
         let farthest = mesh.positions.iter().map(off_axis).fold(0.0, f32::max);
         assert!((radius_cm - farthest).abs() < 1e-4, "{radius_cm} cm for {farthest} cm");
-        for line in Show::ControlImages.diagram(plant, &mesh).lines {
+        for line in Show::ControlImages.diagram(plant, 1, &mesh).lines {
             assert!(line.iter().all(|p| off_axis(p) < radius_cm + 1e-3));
         }
 
         // Each fly agaric has a cylinder of its own, no wider than its cap.
         let plant = find("amanita").unwrap();
         let mesh = plant.embedded_body().surface;
-        for control in &plant.controls()[..2] {
+        for control in &plant.controls(1)[..2] {
             let Wrap::Cylinder(cylinder) = control.wrap else { panic!("a cylinder") };
             let radius_cm = super::radius_cm(&cylinder, &mesh);
             assert!((2.0..6.5).contains(&radius_cm), "{radius_cm} cm");

@@ -6,7 +6,7 @@ mod rows;
 #[cfg(test)]
 mod tests;
 
-use super::{Guides, Look, Motion, Paint, Plant, Shape, View};
+use super::{Guides, Look, Motion, Paint, Plant, Rules, Shape, View};
 use crate::tissue::Recipe;
 pub(super) use check::kept;
 use kept::ByType;
@@ -32,6 +32,9 @@ const VERSION: u32 = 1;
 #[serde(deny_unknown_fields)]
 struct Document {
     mosaic_plant: u32,
+    /// Documents of the days when there were but the first ones say none.
+    #[serde(default = "first")]
+    rules: Rules,
     names: Names,
     body: Shape,
     #[serde(default, deserialize_with = "kept_list")]
@@ -65,6 +68,10 @@ struct Names {
 #[serde(transparent)]
 struct Colour(#[serde(deserialize_with = "kept_text")] Text);
 
+fn first() -> Rules {
+    Rules::First
+}
+
 fn still() -> Motion {
     Motion::STILL
 }
@@ -74,6 +81,7 @@ impl Plant {
     pub fn to_json(&self) -> String {
         let document = Document {
             mosaic_plant: VERSION,
+            rules: self.rules,
             names: Names {
                 key: self.key,
                 name: self.name,
@@ -120,8 +128,9 @@ impl Plant {
             let why = format!("mosaic_plant is {version}: this program reads version {VERSION}");
             return Err(PlantError(why));
         }
-        let Document { mosaic_plant: _, names, body, paint, guides, recipe, .. } = document;
+        let Document { mosaic_plant: _, rules, names, body, paint, guides, recipe, .. } = document;
         let plant = Plant {
+            rules,
             key: names.key,
             name: names.name,
             latin: names.latin,

@@ -8,6 +8,9 @@ use crate::tissue::{
 };
 use std::collections::BTreeMap;
 
+/// An individual: what images do to numbers is the same in all.
+const ANY: u32 = 0;
+
 impl Plant {
     /// Mean and variance of the cells of a day over all growths of a recipe on the plant's surface that begin with
     /// as many first cells of each type on each part as this diary, each part at its own age. None where no exact
@@ -20,7 +23,7 @@ impl Plant {
         day: u32,
     ) -> Option<Expected> {
         let by_age = self.first_cells_by_age(surface, diary, day);
-        let controls = self.controls();
+        let controls = self.controls(ANY);
         let mut all = Expected::default();
         for (age, first_cells) in by_age {
             let of_age = expected_cells(recipe, &controls, first_cells, age as usize)?;
@@ -38,7 +41,7 @@ impl Plant {
         day: u32,
     ) -> Option<([Expected; 3], Expected)> {
         let at_once = self.motion.unfolding_days.iter().all(|&day| day == 0);
-        at_once.then(|| expected_individuals(recipe, &self.controls(), day as usize)).flatten()
+        at_once.then(|| expected_individuals(recipe, &self.controls(ANY), day as usize)).flatten()
     }
 
     /// How many clans of each step of sizes (see [`clan_sizes`]) to expect on such a day, in the mean. None where
@@ -55,7 +58,7 @@ impl Plant {
         let divide_alike = recipe.division_days.iter().all(|&days| days == recipe.division_days[0]);
         let scales =
             |c: &Control| matches!(c.use_as, Use::Scale { number, .. } if number.is_days());
-        if (mutates && !divide_alike) || self.controls().iter().any(scales) {
+        if (mutates && !divide_alike) || self.controls(ANY).iter().any(scales) {
             return None;
         }
         let mut all = [0.0; CLAN_STEPS];

@@ -1,11 +1,12 @@
 //! Nerve plant: the cells along all veins are white, down to those of the third order.
 
 use super::paint::{NEAR, Paint};
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Levels, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::tissue::CellType::{Background, Foreground, Middle};
 use crate::tissue::{Clock, Recipe, Use};
 
 pub const PLANT: Plant = Plant {
+    rules: Rules::First,
     key: "fittonia",
     name: "Nerve plant",
     latin: "Fittonia albivenis",

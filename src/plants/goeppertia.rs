@@ -2,12 +2,13 @@
 //! that end at it.
 
 use super::paint::{Image, ImageRule, Paint, Pixels};
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Levels, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::surface::{AlongVeins, Wrap};
 use crate::tissue::CellType::{Background, Foreground, Middle};
 use crate::tissue::{Clock, Recipe, Use};
 
 pub const PLANT: Plant = Plant {
+    rules: Rules::First,
     key: "goeppertia",
     name: "Rose-painted calathea",
     latin: "Goeppertia roseopicta",

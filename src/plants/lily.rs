@@ -2,12 +2,13 @@
 //! stretched with the skin that they are in.
 
 use super::paint::{Image, ImageRule, Paint, Pixels};
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Levels, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::surface::Wrap;
 use crate::tissue::CellType::Background;
 use crate::tissue::{Clock, Recipe, Use};
 
 pub const PLANT: Plant = Plant {
+    rules: Rules::First,
     key: "lily",
     name: "Golden lily",
     latin: "Lilium",

@@ -1,12 +1,13 @@
 //! Long watermelon: stripes that widen with the reach of the push (Thesis, Fig. 4.16).
 
 use super::paint::{Image, ImageRule, Paint};
-use super::{Plant, View, watermelon};
+use super::{Plant, Rules, View, watermelon};
 use crate::surface::Wrap;
 use crate::tissue::{Recipe, Use};
 use glam::Vec3;
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
     key: "long-watermelon",
     name: "Long watermelon",
     source: "Thesis, Fig. 4.16",
@@ -17,12 +18,28 @@ pub const PLANT: Plant = Plant {
         // Open in the thesis. 0.02 * 3^2 = 0.18 keeps steps small at the widest reach as well; at
         // 0.05 dark stripes are wider than light ones from the first.
         repulsion: 0.02,
-        ..watermelon::PLANT.recipe
+        ..watermelon::FIRST.recipe
     },
     view: View { azimuth_deg: 0.0, elevation_deg: 16.0, zoom: 1.08 },
     body: watermelon::shape(mesh_file!("long_watermelon.obj")),
     paint: &[STRIPES],
-    ..watermelon::PLANT
+    ..watermelon::FIRST
+};
+
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    source: "after Thesis, Fig. 4.16",
+    recipe: Recipe {
+        // Fewer light flecks in the stripes, and half the reach: teeth are feathered.
+        initial_probability: [0.97, 0.03, 0.0],
+        radius_scale: 0.5,
+        ..FIRST.recipe
+    },
+    look: watermelon::LOOK,
+    // The whole flank, level.
+    view: View { azimuth_deg: 345.0, elevation_deg: 12.0, zoom: 1.3 },
+    paint: &[watermelon::astray(STRIPES, watermelon::JAGGED)],
+    ..FIRST
 };
 
 /// Towards the stem end; of unit length. It lies across the view, so that its length is seen.

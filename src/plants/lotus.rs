@@ -2,12 +2,13 @@
 //! bud. Petals open from the outermost to the innermost.
 
 use super::paint::{Image, ImageRule, Paint, Pixels};
-use super::{Look, Motion, Plant, Skin, View, lily};
+use super::{Look, Motion, Plant, Rules, Skin, View, lily};
 use crate::surface::Wrap;
 use crate::tissue::CellType::{Background, Foreground};
 use crate::tissue::{Clock, Recipe, Use};
 
 pub const PLANT: Plant = Plant {
+    rules: Rules::First,
     key: "lotus",
     name: "Lotus",
     latin: "Nelumbo nucifera",

@@ -1,9 +1,10 @@
 //! Lungwort: pale blotches of all sizes that defy counting, wherever clones of pale cells began.
 
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Levels, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::tissue::{Clock, Recipe};
 
 pub const PLANT: Plant = Plant {
+    rules: Rules::First,
     key: "lungwort",
     name: "Lungwort",
     latin: "Pulmonaria officinalis",

@@ -18,12 +18,14 @@ mod begonia;
 mod bodies;
 mod brought;
 mod cactus;
+mod chance;
 mod coleus;
 mod croton;
 mod croton_shrub;
 mod diagram;
 mod document;
 mod expected;
+mod ficus;
 mod fittonia;
 mod goeppertia;
 mod guides;
@@ -40,6 +42,7 @@ mod palmate;
 mod philodendron;
 mod philodendron_shoot;
 mod red_croton;
+mod rules;
 mod sansevieria;
 mod shape;
 mod show;
@@ -53,8 +56,9 @@ mod winter_squash;
 mod words;
 
 use crate::surface::{Body, DirectionField, Mesh, ObjError, SurfaceError};
-use crate::tissue::{Control, Growth, Recipe, RecipeError};
+use crate::tissue::{Control, Growth, Recipe, RecipeError, Use};
 pub use brought::{OWN, bring, brought, to_text};
+use chance::Chance;
 pub use diagram::{Diagram, Layer};
 pub use document::PlantError;
 use document::{List, Text, kept, kept_list, kept_text, kept_texts};
@@ -62,6 +66,7 @@ use glam::Vec3;
 pub use guides::{GuideVector, Guides};
 pub use look::{Look, Skin, linear, srgb};
 use paint::Paint;
+pub use rules::Rules;
 use serde::{Deserialize, Serialize};
 pub use shape::{Growths, Levels, Shape};
 pub use show::{CLAN_PALETTE, Show};
@@ -70,6 +75,8 @@ use std::sync::Arc;
 /// A plant of the playground: nothing but data, which `document` writes and reads as JSON.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plant {
+    /// The rules that it lives by.
+    pub rules: Rules,
     /// Its word in links: `croton`.
     pub key: Text,
     /// English name: `Croton`.
@@ -137,10 +144,22 @@ impl Plant {
         Ok(self.growing(self.body.grow(obj)?))
     }
 
-    /// A body that grows as the plant's own does.
+    /// A body that grows as the plant's own does, with its walls.
     pub fn growing(&self, body: Body) -> Body {
         let sizes = self.motion.growth.iter().map(|s| (s.day as f32, Vec3::from(s.factors)));
-        body.stretched(&sizes.collect::<Vec<_>>())
+        let mut body = body.stretched(&sizes.collect::<Vec<_>>());
+        for wall in self.paint.iter().filter(|paint| paint.use_as == Use::Wall) {
+            wall.control(Chance::PLANT).wall_off(&mut body.surface);
+        }
+        body
+    }
+
+    /// The plant as links of a version of the rules have it, if it was there then.
+    pub fn under(&'static self, version: u32) -> Option<&'static Plant> {
+        let of_all_rules = std::iter::once(self).chain(earlier());
+        of_all_rules
+            .filter(|plant| plant.key == self.key)
+            .find(|plant| plant.rules as u32 == version)
     }
 
     /// Sows an individual on the plant's surface, under its control images and along its direction
@@ -152,7 +171,7 @@ impl Plant {
         individual: u32,
     ) -> Result<Growth, RecipeError> {
         let field = self.field(&surface).map_err(RecipeError)?;
-        let growth = Growth::new(surface, recipe, &self.controls(), individual)?
+        let growth = Growth::new(surface, recipe, &self.controls(individual), individual)?
             .unfolding(self.motion.unfolding_days);
         Ok(match field {
             Some(field) => growth.along(field),
@@ -165,9 +184,14 @@ impl Plant {
         self.look.bare.iter().any(|(name, ..)| *name == material)
     }
 
-    /// Its control images, painted anew, in the order in which they are asked.
-    pub fn controls(&self) -> Vec<Control> {
-        self.paint.iter().map(Paint::control).collect()
+    /// The control images of an individual, painted anew, in the order in which they are asked. Under the
+    /// first rules all individuals have the same.
+    pub fn controls(&self, individual: u32) -> Vec<Control> {
+        let chance = match self.rules {
+            Rules::First => Chance::PLANT,
+            Rules::Second => Chance::of(individual),
+        };
+        self.paint.iter().map(|paint| paint.control(chance)).collect()
     }
 
     /// Its direction field on a surface, if it has one, or in words why its guides lead none there.
@@ -217,7 +241,7 @@ pub struct View {
 
 /// All plants in the order of the chooser, kind by kind.
 pub fn all() -> &'static [Plant] {
-    static ALL: [Plant; 24] = [
+    static ALL: [Plant; 25] = [
         croton::PLANT,
         cactus::PLANT,
         mushroom::PLANT,
@@ -239,6 +263,7 @@ pub fn all() -> &'static [Plant] {
         fittonia::PLANT,
         goeppertia::PLANT,
         coleus::PLANT,
+        ficus::PLANT,
         lily::PLANT,
         lotus::PLANT,
         tiger_lily::PLANT,
@@ -246,13 +271,36 @@ pub fn all() -> &'static [Plant] {
     &ALL
 }
 
+/// What links of earlier rules mean by the keys of plants that live by newer ones now.
+fn earlier() -> &'static [Plant] {
+    static EARLIER: [Plant; 15] = [
+        croton::FIRST,
+        cactus::FIRST,
+        mushroom::FIRST,
+        croton_shrub::FIRST,
+        red_croton::FIRST,
+        amanita::FIRST,
+        philodendron::FIRST,
+        banded_cactus::FIRST,
+        philodendron_shoot::FIRST,
+        watermelon::FIRST,
+        sansevieria::FIRST,
+        winter_squash::FIRST,
+        square_watermelon::FIRST,
+        long_watermelon::FIRST,
+        coleus::FIRST,
+    ];
+    &EARLIER
+}
+
 /// How far a pattern has a structure of its own beside what clones make, and how many plants are of that kind; the last
 /// ones move.
-const KINDS: [(Text, usize); 5] = [
+const KINDS: [(Text, usize); 6] = [
     ("Not structured", 8),
     ("Partly structured", 4),
     ("Structured", 5),
     ("Led by veins", 4),
+    ("Branched by a rule", 1),
     ("Flowers that open", 3),
 ];
 
@@ -269,23 +317,4 @@ pub fn kinds() -> impl Iterator<Item = (Text, &'static [Plant])> {
 /// The plant of a key, as it stands in links.
 pub fn find(key: &str) -> Option<&'static Plant> {
     all().iter().find(|plant| plant.key == key)
-}
-
-/// A number from 0 to 1 that is always the same for the same place: irregularity that belongs to
-/// the plant and not to the individual. (The finaliser of MurmurHash3, Appleby 2011.)
-fn scatter(item: u32, purpose: u32) -> f32 {
-    let mut bits = item.wrapping_mul(0x9e37_79b9) ^ purpose.wrapping_mul(0x85eb_ca6b);
-    bits = (bits ^ (bits >> 16)).wrapping_mul(0x85eb_ca6b);
-    bits = (bits ^ (bits >> 13)).wrapping_mul(0xc2b2_ae35);
-    bits ^= bits >> 16;
-    // 24 bits are what an f32 between 0 and 1 holds.
-    (bits >> 8) as f32 / (1 << 24) as f32
-}
-
-/// Noise from -1 to 1 along a line: straight from one random value at a whole number to the next.
-fn rough(at: f32, item: u32, purpose: u32) -> f32 {
-    let whole = libm::floorf(at);
-    let value = |k: f32| 2.0 * scatter(item + 64 * k as u32, purpose) - 1.0;
-    let t = at - whole;
-    value(whole) * (1.0 - t) + value(whole + 1.0) * t
 }

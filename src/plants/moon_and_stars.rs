@@ -1,10 +1,11 @@
 //! Watermelon 'Moon and Stars': yellow spots of all sizes on a dark rind, by mutation alone. The word is of the
 //! fruit: spots under 2 cm are its stars, patches of 6 to 15 cm its moons.
 
-use super::{Look, Plant, Shape, watermelon};
+use super::{Look, Plant, Rules, Shape, watermelon};
 use crate::tissue::{Clock, Recipe};
 
 pub const PLANT: Plant = Plant {
+    rules: Rules::First,
     key: "moon-and-stars",
     name: "Moon and Stars",
     source: "",

@@ -1,13 +1,15 @@
 //! Fly agaric: white warts on a red cap (Thesis, Fig. 4.15).
 
 use super::paint::{Grain, Image, ImageRule, Paint, Rims};
-use super::{Growths, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Levels, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::surface::{Cylinder, Wrap};
 use crate::tissue::CellType::Foreground;
 use crate::tissue::{Recipe, Use};
 use glam::Vec3;
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
+    rules: Rules::First,
     key: "mushroom",
     name: "Fly agaric",
     latin: "Amanita muscaria",
@@ -71,6 +73,18 @@ pub const PLANT: Plant = Plant {
     paint: &[WARTS, ORANGE_RIMS],
     guides: None,
     motion: Motion::STILL,
+};
+
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    source: "after Thesis, Fig. 4.15",
+    recipe: Recipe {
+        // Farther felt and fewer, warts are larger and round, and none run into worms.
+        initial_probability: [0.93, 0.07, 0.0],
+        radius_scale: 3.0,
+        ..FIRST.recipe
+    },
+    ..FIRST
 };
 
 /// Where the veil tore last, at the top of the cap, more of it is left: the higher, the more first

@@ -66,7 +66,7 @@ pub const RUNS: [Run; 4] = [
     Run {
         key: "croton41",
         figure: "4.1",
-        plant: &croton::PLANT,
+        plant: &croton::FIRST,
         recipe: Recipe::DEFAULT,
         cells: &[17_785.0, 17_851.0, 17_755.0],
         foreground_area: &[0.560, 0.563, 0.543],
@@ -79,7 +79,7 @@ pub const RUNS: [Run; 4] = [
     Run {
         key: "aging43",
         figure: "4.3",
-        plant: &croton::PLANT,
+        plant: &croton::FIRST,
         recipe: Recipe {
             initial_cells: 10_000,
             initial_probability: [0.1, 0.9, 0.0],
@@ -98,7 +98,7 @@ pub const RUNS: [Run; 4] = [
     Run {
         key: "cactus48",
         figure: "4.8",
-        plant: &cactus::PLANT,
+        plant: &cactus::FIRST,
         recipe: Recipe {
             initial_cells: 5_000,
             initial_probability: [0.002, 0.998, 0.0],
@@ -119,7 +119,7 @@ pub const RUNS: [Run; 4] = [
     Run {
         key: "mush415",
         figure: "4.15",
-        plant: &mushroom::PLANT,
+        plant: &mushroom::FIRST,
         recipe: Recipe {
             initial_cells: 6_000,
             division_days: [6.0, 8.0, 8.0],

@@ -7,7 +7,7 @@ mod leaves;
 mod pixels;
 mod stripes;
 
-use super::{List, Text, kept, scatter};
+use super::{Chance, List, Text, kept};
 use crate::surface::{AlongVeins, ControlImage, Wrap};
 use crate::tissue::{Control, Use};
 pub use belts::Belts;
@@ -86,8 +86,8 @@ impl Paint {
     }
 
     /// The control image, painted.
-    pub fn control(&self) -> Control {
-        Control { wrap: self.wrap, image: self.image.paint(), use_as: self.use_as }
+    pub(super) fn control(&self, chance: Chance) -> Control {
+        Control { wrap: self.wrap, image: self.image.paint(chance), use_as: self.use_as }
     }
 
     /// Whether it can be painted; else why not.
@@ -102,20 +102,20 @@ impl Paint {
 }
 
 impl Image {
-    fn paint(&self) -> ControlImage {
+    fn paint(&self, chance: Chance) -> ControlImage {
         let (width, height) = (self.width, self.height);
         let white = |rule: &dyn Fn(f32, f32) -> bool| ControlImage::paint(width, height, rule);
         match &self.rule {
-            ImageRule::Grain(rule) => white(&|turns, up| rule.is_white(turns, up)),
-            ImageRule::Stripes(rule) => white(&|turns, up| rule.is_white(turns, up)),
-            ImageRule::Belts(rule) => white(&|turns, up| rule.is_white(turns, up)),
-            ImageRule::Blaze(rule) => white(&|turns, up| rule.is_white(turns, up)),
+            ImageRule::Grain(rule) => white(&|turns, up| rule.is_white(chance, turns, up)),
+            ImageRule::Stripes(rule) => white(&|turns, up| rule.is_white(chance, turns, up)),
+            ImageRule::Belts(rule) => white(&|turns, up| rule.is_white(chance, turns, up)),
+            ImageRule::Blaze(rule) => white(&|turns, up| rule.is_white(chance, turns, up)),
             ImageRule::Warts(rule) => {
-                let warts = rule.warts();
+                let warts = rule.warts(chance);
                 white(&|turns, up| rule.is_white(&warts, turns, up, height))
             }
             ImageRule::Margins(rule) => white(&|turns, up| rule.is_white(turns, up)),
-            ImageRule::Bands(rule) => white(&|turns, up| rule.is_white(turns, up)),
+            ImageRule::Bands(rule) => white(&|turns, up| rule.is_white(chance, turns, up)),
             ImageRule::Rims(rule) => {
                 ControlImage::shade(width, height, &|_, up| rule.whiteness(up))
             }
@@ -146,8 +146,8 @@ impl Image {
 }
 
 impl Grain {
-    fn is_white(&self, turns: f32, height: f32) -> bool {
-        let grain = scatter((turns * 256.0) as u32 + 256 * (height * 128.0) as u32, 0);
+    fn is_white(&self, chance: Chance, turns: f32, height: f32) -> bool {
+        let grain = chance.scatter((turns * 256.0) as u32 + 256 * (height * 128.0) as u32, 0);
         grain > self.black_at_the_top * height
     }
 }

@@ -1,10 +1,11 @@
 //! Variegated sycamore: cream sectors and splashes that end at the main veins of a lobed leaf. The body has a
 //! part between each two main veins, so that no cell comes from one to the other.
 
-use super::{Growths, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::tissue::{Clock, Recipe};
 
 pub const PLANT: Plant = Plant {
+    rules: Rules::First,
     key: "palmate",
     name: "Variegated sycamore",
     latin: "Acer pseudoplatanus",

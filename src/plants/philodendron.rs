@@ -2,12 +2,14 @@
 //! (Thesis, Fig. 4.12).
 
 use super::paint::{Blaze, Image, ImageRule, Paint};
-use super::{Growths, GuideVector, Guides, Levels, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, GuideVector, Guides, Levels, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::surface::Wrap;
 use crate::tissue::{Recipe, Use};
 use glam::Vec2;
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
+    rules: Rules::First,
     key: "philodendron",
     name: "Philodendron",
     latin: "Philodendron hederaceum",
@@ -64,26 +66,43 @@ pub const PLANT: Plant = Plant {
     motion: Motion::STILL,
 };
 
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    source: "after Thesis, Fig. 4.12",
+    recipe: RECIPE,
+    look: Look { cells: [[0.76, 0.83, 0.29], [0.2, 0.37, 0.15], [0.5, 0.5, 0.2]], ..FIRST.look },
+    paint: &[Paint {
+        image: Image {
+            rule: ImageRule::Blaze(Blaze { astray: 0.6, uneven: 0.45, ..FEATHERED }),
+            ..BLAZE.image
+        },
+        ..BLAZE
+    }],
+    ..FIRST
+};
+
+/// More and smaller cells, none of them green within the blaze, that feel each other half as far: the blaze
+/// is solid, and its border brushed.
+pub(super) const RECIPE: Recipe = Recipe {
+    initial_cells: 20_000,
+    initial_probability: [1.0, 0.0, 0.0],
+    radius_scale: 1.0,
+    repulsion: 0.25,
+    ..FIRST.recipe
+};
+
 /// How far a side vein goes along the leaf on its way from midrib to rim.
 const LEAN: f32 = 0.2;
 
 /// Lime along the middle, fading out towards the rim.
 const BLAZE: Paint = Paint {
     wrap: Wrap::Leaf,
-    image: Image {
-        width: 256,
-        height: 256,
-        rule: ImageRule::Blaze(Blaze {
-            all: 0.1,
-            none: 0.7,
-            uneven: 0.3,
-            strokes: 30.0,
-            broad: 0.2,
-            lean: LEAN,
-        }),
-    },
+    image: Image { width: 256, height: 256, rule: ImageRule::Blaze(FEATHERED) },
     use_as: Use::FOREGROUND,
 };
+
+const FEATHERED: Blaze =
+    Blaze { all: 0.1, none: 0.7, uneven: 0.3, strokes: 30.0, broad: 0.2, lean: LEAN, astray: 0.0 };
 
 /// From the midrib to the rim and a little towards the tip, as the side veins run. The vectors are
 /// about 2 cm apart. At 0.2 per cm those of one half of a leaf turn the field of the other around beside

@@ -1,10 +1,11 @@
 //! Philodendron shoot: its leaves have unfolded one after another, and stand at six ages (Thesis,
 //! Fig. 4.10).
 
-use super::{Motion, Plant, philodendron};
+use super::{Motion, Plant, Rules, philodendron};
 use crate::tissue::Recipe;
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
     key: "philodendron-shoot",
     name: "Philodendron shoot",
     source: "Thesis, Fig. 4.10",
@@ -12,11 +13,20 @@ pub const PLANT: Plant = Plant {
         // Open in the thesis. At 0.09 leaves of 20 and of 32 days look alike; here the strokes of the
         // oldest reach the rim, and those of the youngest do not.
         repulsion: 0.25,
-        ..philodendron::PLANT.recipe
+        ..philodendron::FIRST.recipe
     },
     // On the last day the leaves, from the oldest near the pot to the youngest, are of 32, 30, 27, 25,
     // 23 and 20 days.
     motion: Motion { unfolding_days: &[0, 2, 5, 7, 9, 12], ..Motion::STILL },
-    first_day: philodendron::PLANT.recipe.days,
-    ..philodendron::PLANT
+    first_day: philodendron::FIRST.recipe.days,
+    ..philodendron::FIRST
+};
+
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    source: "after Thesis, Fig. 4.10",
+    recipe: philodendron::RECIPE,
+    look: philodendron::PLANT.look,
+    paint: philodendron::PLANT.paint,
+    ..FIRST
 };

@@ -1,9 +1,10 @@
 //! Red croton: yellow breaks out in green, and red in yellow (mutation: Thesis 3.2.1.2).
 
-use super::{Look, Plant, croton};
+use super::{Look, Plant, Rules, croton};
 use crate::tissue::Recipe;
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
     key: "red-croton",
     name: "Red croton",
     source: "Thesis, 3.2.1.2",
@@ -22,15 +23,32 @@ pub const PLANT: Plant = Plant {
         adhesion: [[0.5, 0.0, 0.5], [0.0, 0.8, 0.0], [0.5, 0.0, 0.5]],
         // Individuals have about 44,000 cells.
         max_cells: 100_000,
-        ..croton::PLANT.recipe
+        ..croton::FIRST.recipe
     },
     first_day: 30,
     look: Look {
         cells: [[0.93, 0.76, 0.2], [0.122, 0.353, 0.165], [0.72, 0.16, 0.14]],
-        ..croton::PLANT.look
+        ..croton::FIRST.look
     },
     paint: &[],
-    ..croton::PLANT
+    ..croton::FIRST
+};
+
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    source: "after Thesis, 3.2.1.2",
+    recipe: Recipe {
+        // Fewer and larger flecks, with a few clumps of red within the yellow.
+        initial_cells: 2_500,
+        mutation: [[0.95, 0.0, 0.05], [0.04, 0.96, 0.0], [0.0, 0.0, 1.0]],
+        adhesion: [[0.5, 0.0, 0.1], [0.0, 0.8, 0.0], [0.1, 0.0, 0.5]],
+        ..FIRST.recipe
+    },
+    look: Look {
+        cells: [[0.93, 0.76, 0.2], [0.12, 0.22, 0.12], [0.6, 0.13, 0.11]],
+        ..croton::LOOK
+    },
+    ..FIRST
 };
 
 #[cfg(test)]
@@ -53,6 +71,6 @@ mod tests {
         }
         let [[_, fb, fm], [bf, _, bm], [mf, mb, mm]] = born_of;
         assert_eq!([fb, bm, mf, mb], [0; 4], "{born_of:?}");
-        assert!(fm > 200 && bf > 200 && mm > 200, "{born_of:?}");
+        assert!(fm > 100 && bf > 300 && mm > 150, "{born_of:?}");
     }
 }

@@ -1,11 +1,13 @@
 //! Snake plant: yellow margins round a banded green middle (Thesis, Fig. 4.19).
 
 use super::paint::{Bands, Image, ImageRule, Margins, Paint};
-use super::{Growths, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::surface::Wrap;
 use crate::tissue::{CellType, Recipe, Use};
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
+    rules: Rules::First,
     key: "sansevieria",
     name: "Snake plant",
     latin: "Sansevieria trifasciata",
@@ -57,6 +59,36 @@ pub const PLANT: Plant = Plant {
     motion: Motion::STILL,
 };
 
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    source: "after Thesis, Fig. 4.19",
+    recipe: Recipe {
+        // More cells that feel each other farther: margins are clean and even.
+        initial_cells: 20_000,
+        radius_scale: 1.3,
+        repulsion: 0.2,
+        ..FIRST.recipe
+    },
+    look: Look {
+        cells: [[0.902, 0.812, 0.333], [0.17, 0.28, 0.18], [0.56, 0.655, 0.478]],
+        ..FIRST.look
+    },
+    paint: &[
+        // They widen more.
+        side_by_side(
+            ImageRule::Margins(Margins { margin_cm: 0.45 }),
+            CellType::Foreground,
+            CellType::Middle,
+        ),
+        side_by_side(
+            ImageRule::Bands(Bands { astray: 1.0, ..ZIGZAG }),
+            CellType::Middle,
+            CellType::Background,
+        ),
+    ],
+    ..FIRST
+};
+
 /// The leaf coordinates of all leaves lie side by side, as in an atlas, so that each leaf has bands
 /// of its own: so many places are there, the last ones empty.
 pub(super) const ATLAS_PLACES: usize = 10;
@@ -95,8 +127,7 @@ const MARGINS: Paint = side_by_side(
 );
 
 /// M in bands alone, instead of it B.
-const BANDS: Paint = side_by_side(
-    ImageRule::Bands(Bands { apart_cm: 2.4, share: 0.3, share_varies: 0.22, zigzag_cm: 0.9 }),
-    CellType::Middle,
-    CellType::Background,
-);
+const BANDS: Paint = side_by_side(ImageRule::Bands(ZIGZAG), CellType::Middle, CellType::Background);
+
+const ZIGZAG: Bands =
+    Bands { apart_cm: 2.4, share: 0.3, share_varies: 0.22, zigzag_cm: 0.9, astray: 0.0 };

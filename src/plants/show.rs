@@ -138,7 +138,7 @@ mod tests {
             let mesh = plant.embedded_body().surface;
             for show in Show::offered(plant) {
                 assert_eq!(Show::of_key(show.key()), Some(show));
-                let drawn = show.diagram(plant, &mesh) != Diagram::default();
+                let drawn = show.diagram(plant, 1, &mesh) != Diagram::default();
                 assert_eq!(drawn, !show.is_of_cells());
             }
         }

@@ -1,7 +1,7 @@
 //! Spines and shoots: hundreds of thin spikes that grow at load, since in the mesh files they would
 //! outweigh all the rest.
 
-use super::scatter;
+use super::Chance;
 use crate::surface::{Face, Group, PolygonMesh};
 use glam::Vec3;
 
@@ -21,12 +21,13 @@ pub(super) fn raise_spines(mesh: &mut PolygonMesh) {
         pyramid(mesh, &diamond.vertices, centre + outward * 0.28, diamond.group);
         for k in 0..SPINES {
             let item = number as u32 * SPINES + k;
-            let spread = if k + 1 == SPINES { 0.2 } else { 0.8 + 0.4 * scatter(item, 1) };
-            let turns = (k as f32 + 0.4 * scatter(item, 2)) / (SPINES - 1) as f32;
+            let spread =
+                if k + 1 == SPINES { 0.2 } else { 0.8 + 0.4 * Chance::PLANT.scatter(item, 1) };
+            let turns = (k as f32 + 0.4 * Chance::PLANT.scatter(item, 2)) / (SPINES - 1) as f32;
             let angle_rad = turns * std::f32::consts::TAU;
             let across = side * libm::cosf(angle_rad) + along * libm::sinf(angle_rad);
             let direction = (outward + across * spread).normalize();
-            let length_cm = 0.9 + 0.7 * scatter(item, 3);
+            let length_cm = 0.9 + 0.7 * Chance::PLANT.scatter(item, 3);
             spike(mesh, centre, direction * length_cm, 0.07, spines);
         }
     }
@@ -37,7 +38,7 @@ pub(super) fn grow_moss(mesh: &mut PolygonMesh) {
     let shoots = new_group(mesh, "shoots", "bare:shoot");
     let faces = take_faces(mesh, "bare:moss");
     for (number, face) in faces.iter().enumerate() {
-        let shaken = |purpose| 2.0 * scatter(number as u32, purpose) - 1.0;
+        let shaken = |purpose| Chance::PLANT.shaken(number as u32, purpose);
         // Each third quad: a closer stand hides the cushion, a wider one looks like grass.
         if number % 3 == 0 {
             let corner = |k: usize| mesh.positions[face.vertices[k] as usize];

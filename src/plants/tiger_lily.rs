@@ -2,12 +2,13 @@
 //! divide more than those around it.
 
 use super::paint::{Image, ImageRule, Paint, Pixels};
-use super::{Look, Motion, Plant, Skin, View, lily};
+use super::{Look, Motion, Plant, Rules, Skin, View, lily};
 use crate::surface::Wrap;
 use crate::tissue::CellType::Background;
 use crate::tissue::{Clock, Recipe, Use};
 
 pub const PLANT: Plant = Plant {
+    rules: Rules::First,
     key: "tiger-lily",
     name: "Tiger lily",
     latin: "Lilium lancifolium",

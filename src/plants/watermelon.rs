@@ -1,12 +1,14 @@
 //! Watermelon: dark jagged stripes from end to end (Thesis, Fig. 4.17).
 
 use super::paint::{Image, ImageRule, Paint, Stripes};
-use super::{Growths, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::surface::{Cylinder, Wrap};
 use crate::tissue::{Recipe, Use};
 use glam::Vec3;
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
+    rules: Rules::First,
     key: "watermelon",
     name: "Watermelon",
     latin: "Citrullus lanatus",
@@ -51,6 +53,39 @@ pub const PLANT: Plant = Plant {
     motion: Motion::STILL,
 };
 
+pub const PLANT: Plant = Plant {
+    rules: Rules::Second,
+    source: "after Thesis, Fig. 4.17",
+    recipe: RECIPE,
+    look: LOOK,
+    paint: &[astray(STRIPES, JAGGED)],
+    ..FIRST
+};
+
+/// More and slower cells that feel each other farther: those of light and dark are of like size, stripes
+/// reach the stalk unbroken, and the rind is mottled.
+pub(super) const RECIPE: Recipe = Recipe {
+    initial_cells: 14_000,
+    initial_probability: [0.97, 0.03, 0.0],
+    division_days: [6.0, 10.0, 10.0],
+    radius_scale: 0.9,
+    repulsion: 0.3,
+    ..FIRST.recipe
+};
+
+pub(super) const LOOK: Look = Look {
+    cells: [[0.1, 0.23, 0.1], [0.5, 0.61, 0.37], [0.5, 0.5, 0.2]],
+    variation: 0.12,
+    border: 0.2,
+    ..FIRST.look
+};
+
+/// The same stripes, in each individual in places of its own.
+pub(super) const fn astray(paint: Paint, stripes: Stripes) -> Paint {
+    let rule = ImageRule::Stripes(Stripes { astray: 0.6, wander: 0.14, ..stripes });
+    Paint { image: Image { rule, ..paint.image }, ..paint }
+}
+
 /// Towards the stem end; of unit length.
 pub(super) const AXIS: Vec3 = Vec3::new(0.48, 0.36, 0.8);
 pub(super) const HALF_LENGTH_CM: f32 = 13.0;
@@ -79,6 +114,7 @@ pub(super) const JAGGED: Stripes = Stripes {
     varies_along: 0.05,
     wander: 0.1,
     teeth: 0.09,
+    astray: 0.0,
     cube: None,
 };
 

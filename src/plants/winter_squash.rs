@@ -1,12 +1,14 @@
 //! Winter squash: a pale band along each furrow, green backs of the ribs, and flecks of either on the other.
 
 use super::paint::{Image, ImageRule, Paint, Stripes};
-use super::{Growths, Look, Motion, Plant, Shape, Skin, View};
+use super::{Growths, Look, Motion, Plant, Rules, Shape, Skin, View};
 use crate::surface::{Cylinder, Wrap};
 use crate::tissue::{Clock, Recipe, Use};
 use glam::Vec3;
 
-pub const PLANT: Plant = Plant {
+/// As links of the first rules have it.
+pub(super) const FIRST: Plant = Plant {
+    rules: Rules::First,
     key: "winter-squash",
     name: "Winter squash",
     latin: "Cucurbita pepo",
@@ -62,6 +64,7 @@ pub const PLANT: Plant = Plant {
                 varies_along: 0.05,
                 wander: 0.03,
                 teeth: 0.07,
+                astray: 0.0,
                 cube: None,
             }),
         },
@@ -70,6 +73,9 @@ pub const PLANT: Plant = Plant {
     guides: None,
     motion: Motion::STILL,
 };
+
+/// The same, and in each individual its own.
+pub const PLANT: Plant = Plant { rules: Rules::Second, ..FIRST };
 
 pub(super) const HEIGHT_CM: f32 = 11.5;
 pub(super) const RIBS: u32 = 10;

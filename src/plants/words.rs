@@ -6,7 +6,7 @@ use super::paint::{
     Warts,
 };
 use super::{
-    Growths, GuideVector, Guides, Levels, List, Look, MeshFile, Motion, Plant, Shape, Skin,
+    Growths, GuideVector, Guides, Levels, List, Look, MeshFile, Motion, Plant, Rules, Shape, Skin,
     Stretch, Text, View, all,
 };
 use crate::surface::{AlongVeins, Cylinder, Wrap};
@@ -165,7 +165,7 @@ macro_rules! records {
 }
 
 records! {
-    Plant { key, name, latin, source, colour_names, body, paint, guides, recipe, motion, look, view, first_day }
+    Plant { rules, key, name, latin, source, colour_names, body, paint, guides, recipe, motion, look, view, first_day }
     Shape { mesh, levels, but, growths }
     Levels { group, levels }
     Paint { wrap, image, use_as }
@@ -173,14 +173,14 @@ records! {
     AlongVeins { order, reach_cm }
     Image { width, height, rule }
     Grain { black_at_the_top }
-    Stripes { count, half_width, varies_between, varies_along, wander, teeth, cube }
+    Stripes { count, half_width, varies_between, varies_along, wander, teeth, astray, cube }
     Cube { half_side_cm, bulge_cm }
-    Belts { height_cm, near_cm, far_cm, lobes_cm }
-    Blaze { all, none, uneven, strokes, broad, lean }
-    Warts { radius_cm, height_cm, count, wart_radius_cm }
+    Belts { height_cm, near_cm, far_cm, lobes_cm, astray_cm }
+    Blaze { all, none, uneven, strokes, broad, lean, astray }
+    Warts { radius_cm, height_cm, count, wart_radius_cm, astray }
     Rims { caps_cm, height_cm }
     Margins { margin_cm }
-    Bands { apart_cm, share, share_varies, zigzag_cm }
+    Bands { apart_cm, share, share_varies, zigzag_cm, astray }
     Pixels { rows }
     Guides { epsilon_per_cm, vectors }
     Recipe { initial_cells, initial_probability, division_days, clock, mutation, adhesion, radius_scale, repulsion,
@@ -245,10 +245,11 @@ choices! {
         4: Warts { 0: rule }, 5: Rims { 0: rule }, 6: Margins { 0: rule }, 7: Bands { 0: rule },
         8: Pixels { 0: rule } }
     Use or Use::FOREGROUND; { 0: FirstCells { of: of, instead: instead }, 1: Scale { number: number, black: black, white: white },
-        2: Colour { of: of } }
+        2: Colour { of: of }, 3: Wall {} }
     Scaled or Scaled::Repulsion; { 0: DivisionDays { 0: kind }, 1: RadiusScale {}, 2: Repulsion {}, 3: Adhesion { 0: a, 1: b } }
     GuideVector or GuideVector::OnLeaves { at: Vec2::ZERO, direction: Vec2::ZERO }; { 0: OnLeaves { at: at, direction: direction },
         1: Near { point_cm: point, direction: direction }, 2: AlongVeins { order: order } }
+    Rules or Rules::First; { 1: First {}, 2: Second {} }
     Clock or Clock::Poisson; { 0: Poisson {}, 1: Exponential {} }
 }
 

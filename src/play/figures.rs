@@ -211,7 +211,10 @@ pub fn showing(scene: &Scene) -> Option<&'static Figure> {
         let of_plant = picture.link.split('?').next() == Some(scene.plant.key);
         of_plant && {
             let other = link::read(picture.link, plants).scene;
-            other.recipe == scene.recipe && other.look == scene.look && other.noise == scene.noise
+            other.plant.rules == scene.plant.rules
+                && other.recipe == scene.recipe
+                && other.look == scene.look
+                && other.noise == scene.noise
         }
     };
     FIGURES.iter().find(|figure| figure.pictures.iter().any(is_shown))

@@ -1,7 +1,7 @@
 //! What of a picture the graphics card holds, so that only what it lacks is handed to it.
 
 use super::clone::Paint;
-use crate::plants::{Look, Show};
+use crate::plants::{Look, Rules, Show};
 
 /// The parts of a picture, in the order in which they are handed over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +25,8 @@ pub struct Wanted<'a> {
     pub plant: &'static str,
     /// The day on which its body stands as it does here. None if it stands still.
     pub shape: Option<u32>,
+    /// Whose control images are shown.
+    pub individual: (Rules, u32),
     pub look: &'a Look,
     pub show: Show,
     /// Generation and day. None: the cells that are there stay.
@@ -39,6 +41,7 @@ pub struct Handed {
     plant: Option<&'static str>,
     shape: Option<u32>,
     look: Option<Look>,
+    individual: Option<(Rules, u32)>,
     show: Show,
     cells: Option<(u32, u32)>,
     paint: Paint,
@@ -55,7 +58,9 @@ impl Handed {
             Some(Part::Shape)
         } else if self.look.as_ref() != Some(wanted.look) {
             Some(Part::Look)
-        } else if self.show != wanted.show {
+        } else if self.show != wanted.show
+            || self.show == Show::ControlImages && self.individual != Some(wanted.individual)
+        {
             Some(Part::Show)
         } else if wanted.cells.is_some() && (self.cells, self.paint) != (wanted.cells, wanted.paint)
         {
@@ -74,7 +79,7 @@ impl Handed {
             }
             Part::Shape => self.shape = wanted.shape,
             Part::Look => self.look = Some(wanted.look.clone()),
-            Part::Show => self.show = wanted.show,
+            Part::Show => (self.show, self.individual) = (wanted.show, Some(wanted.individual)),
             Part::Cells => {
                 (self.cells, self.paint, self.refused) = (wanted.cells, wanted.paint, None);
             }
@@ -123,6 +128,7 @@ mod tests {
         let croton = Wanted {
             plant: "croton",
             shape: None,
+            individual: (Rules::First, 1),
             look: &look,
             show: Show::Cells,
             cells: Some((1, 12)),
@@ -143,6 +149,10 @@ mod tests {
         let controls = Wanted { show: Show::ControlImages, cells: None, ..next_day };
         assert_eq!(hand(&mut handed, &controls), [Part::Show]);
         assert!(handed.has_cells(), "they wait under the diagram");
+        for individual in [(Rules::First, 2), (Rules::Second, 2)] {
+            let of_another = Wanted { individual, ..controls };
+            assert_eq!(hand(&mut handed, &of_another), [Part::Show], "with images of its own");
+        }
 
         let cactus = Wanted { plant: "cactus", ..controls };
         assert_eq!(hand(&mut handed, &cactus), [Part::Body, Part::Look, Part::Show]);
@@ -155,6 +165,7 @@ mod tests {
         let day = |day| Wanted {
             plant: "lily",
             shape: Some(day),
+            individual: (Rules::First, 1),
             look: &look,
             show: Show::Cells,
             cells: Some((1, day)),
@@ -172,6 +183,7 @@ mod tests {
         let day = |day| Wanted {
             plant: "croton",
             shape: None,
+            individual: (Rules::First, 1),
             look: &look,
             show: Show::Cells,
             cells: Some((1, day)),

@@ -1,7 +1,8 @@
 //! Links: a scene written as the fragment of an address, `croton?v=1&s=17&d=12&df=6`, and read back.
 //!
-//! First the plant, then the version, the individual and the day, and then only what differs from the
-//! preset that the plant had in that version.
+//! First the plant, then the version of its rules, the individual and the day, and then only what differs
+//! from the preset that the plant has in that version. The presets of a version are frozen: to change one, make
+//! new rules and keep the old plant for the links of the old ones.
 
 use super::camera::Orbit;
 use super::parameters::{PARAMETERS, Parameter};
@@ -12,9 +13,8 @@ use crate::surface::{Shortest, quoted};
 use glam::Vec2;
 use std::fmt::Write;
 
-/// The version that is written. A version's presets are frozen: to change one, raise this number and
-/// keep the old preset for the links of the old version.
-pub const VERSION: u32 = 1;
+/// The word for the version of the rules.
+const VERSION: &str = "v";
 
 /// The word for the number of the individual.
 pub const INDIVIDUAL: &str = "s";
@@ -35,7 +35,8 @@ pub struct Opened {
 /// Writes a scene, without the `#`.
 pub fn write(scene: &Scene) -> String {
     let Scene { plant, individual, day, .. } = scene;
-    let mut link = format!("{}?v={VERSION}&{INDIVIDUAL}={individual}&d={day}", plant.key);
+    let version = plant.rules as u32;
+    let mut link = format!("{}?v={version}&{INDIVIDUAL}={individual}&d={day}", plant.key);
     let preset = Scene::preset(plant, *individual);
     for parameter in PARAMETERS {
         let value = parameter.get(scene);
@@ -91,8 +92,9 @@ pub fn read(text: &str, plants: &'static [Plant]) -> Opened {
         }
         &plants[0]
     });
-    let mut scene = Scene::preset(plant, FIRST_INDIVIDUAL);
     let words = known_words(query, &mut left_out);
+    let plant = of_version(plant, &words, &mut left_out);
+    let mut scene = Scene::preset(plant, FIRST_INDIVIDUAL);
     let wished_day = read_words(&mut scene, &words, &mut left_out);
     read_parameters(&mut scene, &words, &mut left_out);
     // How many days there are may have been said after the wished one.
@@ -144,14 +146,13 @@ fn without_amp(mut word: &str) -> &str {
 }
 
 /// The words that are no parameters.
-const WORDS: [&str; 7] = ["v", INDIVIDUAL, DAY, "noise", "show", CELL, "view"];
+const WORDS: [&str; 7] = [VERSION, INDIVIDUAL, DAY, "noise", "show", CELL, "view"];
 
 /// Reads the words that are no parameters, and returns the day that is wished.
 fn read_words(scene: &mut Scene, words: &[Said], left_out: &mut Vec<String>) -> Option<u32> {
     let mut wished_day = None;
     for &(word, value, pair) in words {
         let result = match word {
-            "v" => check_version(value),
             INDIVIDUAL => whole(value).map(|n| scene.individual = n),
             DAY => day(value).map(|n| wished_day = Some(n)),
             "noise" => switch(value).map(|on| scene.noise = on),
@@ -202,12 +203,18 @@ fn leave_out(left_out: &mut Vec<String>, pairs: &[&str], why: &str) {
     left_out.push(format!("{} {what} left out: {why}.", shown(first)));
 }
 
-fn check_version(value: &str) -> Result<(), String> {
-    let version = whole(value)?;
-    match version == VERSION {
-        true => Ok(()),
-        false => Err(format!("this playground reads links of version {VERSION}")),
-    }
+/// The plant as it was in the version that a link says; the newest one, if it says none that is known.
+fn of_version(plant: &'static Plant, words: &[Said], left_out: &mut Vec<String>) -> &'static Plant {
+    let Some(&(_, value, pair)) = words.iter().find(|said| said.0 == VERSION) else {
+        return plant;
+    };
+    let newest = plant.rules as u32;
+    let unknown = || format!("this playground reads links up to version {newest}");
+    let known = whole(value).and_then(|version| plant.under(version).ok_or_else(unknown));
+    known.unwrap_or_else(|why| {
+        leave_out(left_out, &[pair], &why);
+        plant
+    })
 }
 
 fn read_show(plant: &Plant, value: &str) -> Result<Show, String> {

@@ -1,6 +1,7 @@
 //! The playground without a browser: scene, link, camera, messages, and the brains of page and
 //! worker.
 
+pub mod atlas;
 pub mod camera;
 pub mod canvases;
 pub mod classroom;

@@ -57,6 +57,7 @@ impl Scene {
     /// Whether two scenes need the same growth (their days and looks may differ).
     pub fn grows_like(&self, other: &Scene) -> bool {
         self.plant.key == other.plant.key
+            && self.plant.rules == other.plant.rules
             && self.individual == other.individual
             && self.recipe == other.recipe
             && self.noise == other.noise

@@ -266,7 +266,7 @@ mod tests {
             ("size", "n=14000&rs=0.5", "n=4000&rs=2"),
             ("amount", "pf=0.023", "pf=0.7"),
             ("speed", "df=13&db=25", "df=3.8&db=7.5"),
-            ("ragged", "d=15", "fb=1"),
+            ("ragged", "d=8", "fb=1"),
         ] {
             assert!(end(key, 0).ends_with(low), "{}", end(key, 0));
             assert!(end(key, LAST).ends_with(high), "{}", end(key, LAST));

@@ -1,7 +1,7 @@
 //! Small plants for the tests of this room, so that they need no catalogue and grow in no time.
 
 use crate::plants::{
-    Growths, GuideVector, Guides, Look, MeshFile, Motion, Plant, Shape, Skin, View,
+    Growths, GuideVector, Guides, Look, MeshFile, Motion, Plant, Rules, Shape, Skin, View,
 };
 use crate::tissue::Recipe;
 use glam::Vec3;
@@ -18,6 +18,7 @@ const fn plant(
     guides: Option<Guides>,
 ) -> Plant {
     Plant {
+        rules: Rules::First,
         key,
         name,
         latin: "Folium quadratum",

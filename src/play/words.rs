@@ -114,6 +114,7 @@ pub fn source(scene: &Scene) -> String {
         changes => match figures::showing(scene) {
             Some(figure) => format!("Thesis, Fig. {}", figure.number),
             None => {
+                let own = own.strip_prefix("after ").unwrap_or(own);
                 let figure = own.strip_prefix("Thesis, ").filter(|f| f.starts_with("Fig."));
                 let changes = if changes == 1 { "1 change" } else { &format!("{changes} changes") };
                 format!("after {}, {changes}", figure.unwrap_or(own))

@@ -1,6 +1,7 @@
 //! The worker's brain: grows what the page wishes, a slice at a time, and answers day by day. A newer
 //! wish interrupts the older one.
 
+use super::Scene;
 use super::link;
 use super::protocol::{BUILD, DayNews, ToPage, ToWorker};
 use super::run::DayFacts;
@@ -107,14 +108,16 @@ impl Worker {
 
     fn sow(&mut self, link: &str) -> Result<(Growth, Option<Noise>), String> {
         let scene = link::read(link, self.plants).scene;
-        let surface = self.surface(scene.plant)?;
+        let surface = self.surface(&scene)?;
         scene.sow(surface).map_err(|why| why.to_string())
     }
 
-    /// The surface of a plant, whose ground is there then.
-    fn surface(&mut self, plant: &'static Plant) -> Result<Arc<Mesh>, String> {
+    /// The surface of a scene's plant, whose ground is there then.
+    fn surface(&mut self, scene: &Scene) -> Result<Arc<Mesh>, String> {
+        let plant = scene.plant;
+        let controls = plant.controls(scene.individual);
         if let Some(known) = self.ground.as_mut().filter(|ground| ground.plant == plant.key) {
-            known.finder.begin();
+            known.finder.begin(controls);
             return Ok(Arc::clone(&known.surface));
         }
         // First, so that the new one finds its room.
@@ -124,7 +127,7 @@ impl Worker {
         let body =
             plant.grow_body(text).map_err(|why| format!("{}: {why}", plant.body.mesh.name))?;
         let surface = Arc::new(body.surface);
-        let finder = SiteFinder::new(&surface).coloured(plant.controls());
+        let finder = SiteFinder::new(&surface).coloured(controls);
         self.ground = Some(Ground { plant: plant.key, surface: Arc::clone(&surface), finder });
         Ok(surface)
     }

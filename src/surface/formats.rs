@@ -3,17 +3,14 @@
 use super::BroughtError;
 use std::borrow::Cow;
 
-/// How files begin that are often taken for OBJ files, and what they are.
-const KNOWN: [(&[u8], BroughtError); 14] = [
+/// How files begin that are often taken for bodies, and what they are.
+const KNOWN: [(&[u8], BroughtError); 11] = [
     (b"\x1f\x8b", BroughtError::Packed("gzip")),
     (b"PK\x03\x04", BroughtError::Packed("zip")),
     (b"7z\xbc\xaf", BroughtError::Packed("7-Zip")),
     (b"\x28\xb5\x2f\xfd", BroughtError::Packed("Zstandard")),
     (b"\xff\xfe", BroughtError::Utf16),
     (b"\xfe\xff", BroughtError::Utf16),
-    (b"ply\n", BroughtError::Other("a PLY file")),
-    (b"ply\r", BroughtError::Other("a PLY file")),
-    (b"glTF", BroughtError::Other("a GLB file")),
     (b"{", BroughtError::Other("a JSON file, as glTF is")),
     (b"<", BroughtError::Other("an XML or HTML file")),
     (b"OFF\n", BroughtError::Other("an OFF file")),
@@ -24,12 +21,24 @@ const KNOWN: [(&[u8], BroughtError); 14] = [
 /// Bytes of the beginning in which no text has a zero.
 const BEGINNING: usize = 1000;
 
-/// The bytes as text. Bytes that are not UTF-8 become `�`: they stand in comments and names, as programs
-/// wrote them in the encoding of their place and time.
-///
+/// A file that may hold a body.
+#[derive(Debug, PartialEq)]
+pub enum Format<'a> {
+    /// The text of an OBJ file. Bytes that are not UTF-8 became `�`: they stand in comments and names, as programs
+    /// wrote them in the encoding of their place and time.
+    Obj(Cow<'a, str>),
+    Ply,
+    Glb,
+}
+
 /// # Errors
-/// Bytes that are certainly no OBJ file, with what they are.
-pub fn text_of(bytes: &[u8]) -> Result<Cow<'_, str>, BroughtError> {
+/// Bytes that are certainly no body that can be read, with what they are.
+pub fn format_of(bytes: &[u8]) -> Result<Format<'_>, BroughtError> {
+    match bytes {
+        [b'p', b'l', b'y', b'\n' | b'\r', ..] => return Ok(Format::Ply),
+        [b'g', b'l', b'T', b'F', ..] => return Ok(Format::Glb),
+        _ => {}
+    }
     if let Some((_, what)) = KNOWN.iter().find(|(start, _)| bytes.starts_with(start)) {
         return Err(what.clone());
     }
@@ -42,7 +51,7 @@ pub fn text_of(bytes: &[u8]) -> Result<Cow<'_, str>, BroughtError> {
             Err(BroughtError::Utf16)
         }
         Some(_) => Err(BroughtError::Other("a binary file")),
-        None => Ok(String::from_utf8_lossy(bytes)),
+        None => Ok(Format::Obj(String::from_utf8_lossy(bytes))),
     }
 }
 
@@ -63,22 +72,19 @@ mod tests {
     use super::*;
 
     fn refusal(bytes: &[u8]) -> String {
-        text_of(bytes).unwrap_err().to_string()
+        format_of(bytes).unwrap_err().to_string()
     }
 
     #[test]
-    fn what_is_no_obj_file_is_told_by_its_name() {
+    fn what_is_no_body_is_told_by_its_name() {
         let stl = [&[b'x'; 80][..], &2u32.to_le_bytes(), &[0; 100]].concat();
         let utf_16: Vec<u8> = "v 0 0 0".encode_utf16().flat_map(u16::to_le_bytes).collect();
         let utf_16_other: Vec<u8> = "v 0 0 0".encode_utf16().flat_map(u16::to_be_bytes).collect();
         for (bytes, word) in [
             (&b"\x1f\x8b\x08\x00\x00"[..], "gzip"),
             (b"PK\x03\x04\x14", "zip"),
-            (b"ply\nformat ascii 1.0\n", "PLY"),
-            (b"ply\r\nformat ascii 1.0\r\n", "PLY"),
             (b"solid a\n facet normal 0 0 1\n", "STL"),
             (&stl, "STL"),
-            (b"glTF\x02\x00\x00\x00", "GLB"),
             (b"{\"asset\":{}}", "glTF"),
             (&utf_16, "UTF-16"),
             (&utf_16_other, "UTF-16"),
@@ -93,9 +99,10 @@ mod tests {
 
     #[test]
     fn text_is_text_whatever_it_is_encoded_in() {
-        assert_eq!(text_of(b"# Andr\xe9\nv 0 0 0").unwrap(), "# Andr\u{fffd}\nv 0 0 0");
+        let obj = |text: &str| Ok(Format::Obj(text.to_string().into()));
+        assert_eq!(format_of(b"# Andr\xe9\nv 0 0 0"), obj("# Andr\u{fffd}\nv 0 0 0"));
         for text in ["", "v", "solid ground", "# a facet", "g plyers"] {
-            assert_eq!(text_of(text.as_bytes()).unwrap(), text);
+            assert_eq!(format_of(text.as_bytes()), obj(text));
         }
     }
 }

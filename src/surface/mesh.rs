@@ -151,6 +151,12 @@ impl Mesh {
         }
     }
 
+    /// Makes a half-edge and its twin, which must be there, two edges of the rim.
+    pub fn part(&mut self, half_edge: u32) {
+        let twin = std::mem::replace(&mut self.twins[half_edge as usize], NO_TWIN);
+        self.twins[twin as usize] = NO_TWIN;
+    }
+
     /// Whether two half-edges run against each other, shifted in space.
     fn is_glued(&self, half_edge: usize, twin: u32) -> bool {
         let along = |h: usize| {

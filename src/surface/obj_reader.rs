@@ -199,13 +199,13 @@ fn takes_numbers(statement: &str) -> bool {
 
 /// The words after the first, without a comment. It starts at a `#` that starts a word: names may hold
 /// one inside.
-fn name(statement: &str) -> String {
+pub(super) fn name(statement: &str) -> String {
     let words = statement.split_whitespace().skip(1).take_while(|word| !word.starts_with('#'));
     words.collect::<Vec<_>>().join(" ")
 }
 
 /// Whatever programs write for numbers that are none (`-nan(ind)`) is NaN.
-fn number(word: Option<&str>) -> Result<f64, String> {
+pub(super) fn number(word: Option<&str>) -> Result<f64, String> {
     let word = word.ok_or("a number is missing")?;
     let not_one = word.trim_start_matches(['-', '+']).starts_with("nan") || holds(word, ".#");
     decimal(if not_one { "nan" } else { word }).ok_or_else(|| {

@@ -1,18 +1,26 @@
 //! Faces that lie side by side without sharing vertices, and faces that stand twice: as programs write
 //! them that give each face, or each side of a seam, vertices of its own.
 
-use super::{Face, PolygonMesh};
+use super::{Face, Moment, PolygonMesh};
 use glam::{DVec3, Vec2};
 use std::collections::{HashMap, HashSet};
+use std::hash::Hash;
 
-/// For each vertex the first one at exactly the same place.
-pub fn same_places(places: &[DVec3]) -> Vec<u32> {
+/// For each vertex the first one whose corner is exactly at the same place, at rest and at all moments.
+pub fn same_places(places: &[DVec3], moments: &[Moment]) -> Vec<u32> {
+    // 0 is added so that -0 is 0.
+    let mut same = firsts(places.iter().map(|place| place.to_array().map(|x| (x + 0.0).to_bits())));
+    for Moment { positions, .. } in moments {
+        let then = positions.iter().map(|place| place.to_array().map(|x| (x + 0.0).to_bits()));
+        same = firsts(same.iter().zip(then));
+    }
+    same
+}
+
+/// For each key the number of the first that is the same.
+fn firsts<K: Hash + Eq>(keys: impl Iterator<Item = K>) -> Vec<u32> {
     let mut first = HashMap::new();
-    (0..)
-        .zip(places)
-        // 0 is added so that -0 is 0.
-        .map(|(v, place)| *first.entry(place.to_array().map(|x| (x + 0.0).to_bits())).or_insert(v))
-        .collect()
+    (0..).zip(keys).map(|(number, key)| *first.entry(key).or_insert(number)).collect()
 }
 
 /// The faces without corners that repeat the place before, without what is no polygon then, and each

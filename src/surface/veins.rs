@@ -109,6 +109,27 @@ impl Veins {
         Some(nearest.ends[1] - nearest.ends[0])
     }
 
+    /// Whether a vein up to an order passes between the centres of two triangles beside each other, seen from
+    /// above both of them.
+    pub fn part(&self, mesh: &Mesh, triangles: [u32; 2], order: u32) -> bool {
+        let [a, b] = triangles.map(|triangle| mesh.centroid(triangle));
+        let normal = |triangle| {
+            let [a, b, c] = mesh.corners(triangle);
+            (b - a).cross(c - a)
+        };
+        let up = normal(triangles[0]) + normal(triangles[1]);
+        let is_left = |from: Vec3, to: Vec3, p: Vec3| (to - from).cross(p - from).dot(up) >= 0.0;
+        // What runs above or below on another leaf is farther off.
+        let (middle, apart_cm) = ((a + b) * 0.5, a.distance(b));
+        let mut near = triangles.into_iter().flat_map(|triangle| self.near(triangle, order));
+        near.any(|piece| {
+            let [from, to] = piece.ends;
+            is_left(a, b, from) != is_left(a, b, to)
+                && is_left(from, to, a) != is_left(from, to, b)
+                && piece.distance_cm(middle) < apart_cm
+        })
+    }
+
     /// The pieces up to an order that may be nearest to a place of a triangle.
     fn near(&self, triangle: u32, order: u32) -> impl Iterator<Item = &Piece> {
         let end = self.ends.get(triangle as usize).copied().unwrap_or(0);

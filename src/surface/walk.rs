@@ -12,6 +12,10 @@ use glam::Vec2;
 const MAX_CROSSINGS: usize = 64;
 const CROSSINGS_PER_EDGE: f32 = 64.0;
 
+/// A walk that met a rim so few crossings ago stands in a corner of it, where it comes to and fro between two
+/// edges of the rim over those that meet there.
+const EDGES_AT_A_CORNER: usize = 8;
+
 /// No edge: the walk has just begun.
 const NONE: usize = 3;
 
@@ -42,6 +46,7 @@ fn walk_out(mesh: &Mesh, from: Place, step: Vec2) -> Step {
     let mut rest = step;
     let mut entered = NONE;
     let mut on_rim = false;
+    let mut since_rim = 0;
     let mut most_crossings = MAX_CROSSINGS;
     for crossings in 0.. {
         if crossings == MAX_CROSSINGS {
@@ -73,6 +78,7 @@ fn walk_out(mesh: &Mesh, from: Place, step: Vec2) -> Step {
             rest = edge * rest.dot(edge);
             entered = exit;
             on_rim = true;
+            since_rim = 0;
             continue;
         }
         let turn = mesh.turns[3 * triangle + exit];
@@ -80,11 +86,12 @@ fn walk_out(mesh: &Mesh, from: Place, step: Vec2) -> Step {
         triangle = twin as usize / 3;
         entered = twin as usize % 3;
         on_rim = false;
+        since_rim += 1;
         b[entered] = 0.0;
         b[(entered + 1) % 3] = along;
         b[(entered + 2) % 3] = 1.0 - along;
     }
-    Step { place: place(triangle, &b, &[0.0; 3]), caught: !on_rim }
+    Step { place: place(triangle, &b, &[0.0; 3]), caught: since_rim > EDGES_AT_A_CORNER }
 }
 
 /// The edge of a square of two triangles of mean area, in centimetres.

@@ -3,7 +3,7 @@
 //! `Body::bared`.
 
 use super::{CellType, Recipe, RecipeError, Scaled};
-use crate::surface::{ControlImage, Mesh, Place, Shortest, Wrap};
+use crate::surface::{ControlImage, Mesh, NO_TWIN, Place, Shortest, Wrap};
 use serde::{Deserialize, Serialize};
 
 /// A control image on a body and its use.
@@ -27,6 +27,10 @@ pub enum Use {
     /// The colour of cells of one type, wherever they are: it goes evenly from the type's own, black,
     /// to its tinted one, white. It is of no account for their lives.
     Colour { of: CellType },
+    /// No step leads over it, and nothing is felt through it: along veins each vein, as far as it is white
+    /// there, and elsewhere the border between what is white and what is black, both from edge to edge of the
+    /// triangles.
+    Wall,
 }
 
 impl Use {
@@ -63,6 +67,34 @@ impl Control {
         match self.use_as {
             Use::Colour { of } if of == kind => self.grey(mesh, place),
             _ => 0.0,
+        }
+    }
+
+    /// Takes away what joins triangles on two sides of a wall, if it is one: the edges there become rims, and the
+    /// parts stay what they are.
+    pub fn wall_off(&self, mesh: &mut Mesh) {
+        // What lies on leaf coordinates that are not there is refused elsewhere.
+        if self.use_as != Use::Wall || self.wrap == Wrap::Leaf && mesh.uvs.is_empty() {
+            return;
+        }
+        for h in 0..mesh.twins.len() as u32 {
+            let twin = mesh.twins[h as usize];
+            if twin != NO_TWIN && self.parts(mesh, [h / 3, twin / 3]) {
+                mesh.part(h);
+            }
+        }
+    }
+
+    /// Whether a wall is between two triangles that share an edge.
+    fn parts(&self, mesh: &Mesh, triangles: [u32; 2]) -> bool {
+        let [one, other] = triangles.map(|triangle| {
+            let centre = Place { triangle, b1: 1.0 / 3.0, b2: 1.0 / 3.0 };
+            let (turns, height) = self.wrap.coordinates(&self.image, mesh, centre);
+            self.image.is_white(turns, height)
+        });
+        match self.wrap {
+            Wrap::Veins(along) => one && other && mesh.veins.part(mesh, triangles, along.order),
+            _ => one != other,
         }
     }
 

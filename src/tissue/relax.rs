@@ -195,7 +195,65 @@ impl Row {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::NO_TWIN;
+    use crate::tissue::Recipe;
     use crate::tissue::chance::{Purpose, uniform};
+    use glam::Vec3;
+
+    /// A flat sheet of 16 by 8 cm of which the triangles of the left half come first.
+    fn sheet() -> Mesh {
+        let positions =
+            (0..17 * 33).map(|k| Vec3::new((k % 33) as f32, (k / 33) as f32, 0.0) * 0.5);
+        let squares =
+            (0..2).flat_map(|half| (0..256).map(move |k| k % 16 + 16 * half + 33 * (k / 16)));
+        let triangles = squares.flat_map(|v| [[v, v + 1, v + 34], [v, v + 34, v + 33]]);
+        Mesh::new(positions.collect(), Vec::new(), triangles.collect()).unwrap()
+    }
+
+    #[test]
+    fn on_each_side_of_a_wall_cells_go_the_ways_of_that_side_alone() {
+        let mut whole = sheet();
+        let per_half = whole.triangles.len() / 2;
+        for h in 0..whole.twins.len() {
+            let twin = whole.twins[h];
+            if twin != NO_TWIN && (h / 3 < per_half) != (twin as usize / 3 < per_half) {
+                whole.part(h as u32);
+            }
+        }
+        let share = |k: u32, turn| 0.5 * uniform(k.into(), turn, Purpose::Clock) as f32;
+        let cells = 3_000;
+        let triangle = |k: u32| k.wrapping_mul(2_654_435_761) >> 16;
+        let recipe = Recipe { radius_scale: 2.0, repulsion: 0.6, ..Recipe::default() };
+        // Each on one of the two halves, in turn.
+        let places: Vec<Place> = (0..cells)
+            .map(|k| Place {
+                triangle: triangle(k) % per_half as u32 + (k % 2) * per_half as u32,
+                b1: share(k, 0),
+                b2: share(k, 1),
+            })
+            .collect();
+        let relaxed = |mesh: &Mesh, places: &[Place], kind: &(dyn Fn(usize) -> u8 + Sync)| {
+            let ground = Ground::new(mesh, mesh, &recipe, &[], places.len(), 1);
+            let mut crowd = Crowd::default();
+            crowd.gather(mesh, places, kind, ground.reach_cm());
+            (0..30).for_each(|_| crowd.relax(mesh, &ground, None));
+            crowd.places()
+        };
+        let both = relaxed(&whole, &places, &|k| (k / 2 % 2) as u8);
+        assert_ne!(both, places);
+        for half in [0, 1] {
+            let triangles = whole.triangles[half * per_half..][..per_half].to_vec();
+            let alone = Mesh::new(whole.positions.clone(), Vec::new(), triangles).unwrap();
+            let first = (half * per_half) as u32;
+            let of_half = |all: &[Place]| -> Vec<Place> {
+                let some = all.iter().skip(half).step_by(2);
+                some.map(|&place| Place { triangle: place.triangle - first, ..place }).collect()
+            };
+            let found = relaxed(&alone, &of_half(&places), &|k| (k % 2) as u8);
+            // Bit for bit.
+            assert_eq!(found, of_half(&both), "half {half}");
+        }
+    }
 
     #[test]
     fn full_bins_are_those_that_cells_lie_in() {

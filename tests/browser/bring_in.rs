@@ -127,6 +127,50 @@ fn a_body_of_ones_own_grows_as_in_a_shell_and_is_kept() {
     assert_eq!(page.complaints(), [""; 0]);
 }
 
+/// A file of a small body.
+fn seed(name: &str) -> Vec<u8> {
+    let seeds = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/seeds/body");
+    std::fs::read(seeds.join(name)).unwrap()
+}
+
+#[test]
+fn what_is_dropped_before_the_studio_is_there_waits_for_it_and_bytes_are_kept_too() {
+    let base = "croton-shrub?v=1&s=3&d=1&n=400&days=2";
+    let Some(page) = Page::open(Graphics::WebGpu, &format!("#{base}")) else { return };
+    page.on_day(1);
+    let recipe = link::read(base, plants::all()).scene.recipe;
+    let natively = |file: &[u8], day: u32| {
+        let mesh = Arc::new(Brought::read(file).unwrap().body.surface);
+        fingerprint(Growth::new(mesh, Recipe { days: day, ..recipe.clone() }, &[], 1).unwrap())
+    };
+    let own = |before: &str| {
+        page.wait("a plant of one's own", |s| {
+            s.plant.starts_with("own-") && s.plant != before && s.state == "ready"
+        })
+    };
+    assert_eq!(page.run("return document.documentElement.hasAttribute('data-studio')"), false);
+    let glb = seed("tetrahedron.glb");
+    page.drop("corner.glb", "model/gltf-binary", &glb);
+    let state = own("");
+    assert_eq!(state.fingerprint, natively(&glb, state.day.parse().unwrap()));
+    let told = "corner.glb: 4 triangles; in metres, as GLB files are";
+    assert!(page.messages().contains(told), "{}", page.messages());
+
+    // Bytes that are no text are kept, too.
+    page.run(&format!("location.hash = '#{base}'"));
+    page.on_day(1);
+    open_dialog(&page);
+    page.run("document.getElementById('keep-own').click()");
+    let ply = seed("binary_big_endian.ply");
+    page.drop("other.ply", "", &ply);
+    let kept = own(&state.plant);
+    assert_eq!(kept.fingerprint, natively(&ply, kept.day.parse().unwrap()));
+    page.run("location.reload()");
+    let again = page.wait("the kept plant", |s| s.plant == kept.plant && s.state == "ready");
+    assert_eq!(again.fingerprint, kept.fingerprint);
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
 #[test]
 fn a_document_of_ones_own_grows_and_what_cannot_is_told() {
     let Some(page) = Page::open(Graphics::WebGpu, "#croton?v=1&s=1&d=1") else { return };
@@ -144,7 +188,7 @@ fn a_document_of_ones_own_grows_and_what_cannot_is_told() {
     assert_eq!((own.fingerprint, preset.day), (fingerprint(growth), day));
 
     for (name, content, why) in [
-        ("a.glb", &b"glTF\x02\0\0\0"[..], "this is a GLB file"),
+        ("a.glb", &b"glTF\x02\0\0\0"[..], "the GLB file: it ends before"),
         ("b.json", b"{\"mosaic_plant\": 1}", "missing field"),
         ("c.obj", b"v 0 0 0\n", "the OBJ file has no faces"),
     ] {

@@ -1,11 +1,9 @@
 //! The browsers that the tests drive: where they are, and how each starts with something to draw with
 //! on a machine without a graphics card.
 
-use crate::page::say;
 use crate::webdriver::WebDriver;
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
@@ -124,15 +122,6 @@ fn start_webkit() -> Result<WebDriver, String> {
     let options = json!({ "binary": binary, "args": ["--automation"] });
     let wanted = json!({ "browserName": "MiniBrowser", "webkitgtk:browserOptions": options });
     Ok(start_on_screen(&driver, Screen::start()?, wanted))
-}
-
-/// Tries something in WebKit. Under its driver on a busy machine it loads for ever now and then, or answers
-/// no more: what failed is tried once more in a fresh one, and that is said.
-pub fn in_webkit(test: impl Fn(Engine)) {
-    if catch_unwind(AssertUnwindSafe(|| test(Engine::WebKit))).is_err() {
-        say("ONCE MORE", "WebKit failed, as it may");
-        test(Engine::WebKit);
-    }
 }
 
 fn start_on_screen(driver: &str, screen: Screen, wanted: Value) -> WebDriver {

@@ -16,7 +16,7 @@ fn without_a_link_the_page_opens_on_the_croton() {
     let rest = page.ready();
     assert_eq!(rest.fingerprint.len(), 6);
     assert!(rest.cells.parse::<u32>().unwrap() > 1000);
-    assert!(page.link().starts_with("croton?v=1&s="), "the address is a link: {}", page.link());
+    assert!(page.link().starts_with("croton?v=2&s="), "the address is a link: {}", page.link());
     // Plain words, for those who see and for those who hear the page.
     assert_eq!(page.text("name"), "Croton");
     assert_eq!(page.text("fact-fingerprint"), rest.fingerprint);

@@ -1,6 +1,6 @@
 //! The page without a network, once it was seen with one: whole, and of one build.
 
-use crate::engines::{Engine, Graphics, in_webkit};
+use crate::engines::{Engine, Graphics};
 use crate::page::Page;
 use crate::sameness::native;
 use crate::server::{Server, dist};
@@ -28,7 +28,7 @@ fn without_a_network_the_page_is_whole_in_firefox() {
 
 #[test]
 fn without_a_network_the_page_is_whole_in_webkit() {
-    in_webkit(lives_without_a_network);
+    lives_without_a_network(Engine::WebKit);
 }
 
 #[test]

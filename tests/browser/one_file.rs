@@ -1,6 +1,6 @@
 //! The edition in one file: by double click from a disk, as an upload, in a locked frame.
 
-use crate::engines::{Engine, Graphics, in_webkit};
+use crate::engines::{Engine, Graphics};
 use crate::page::Page;
 use crate::sameness::native;
 use crate::server::Server;
@@ -70,7 +70,7 @@ fn one_file_grows_from_a_disk_in_firefox() {
 
 #[test]
 fn one_file_grows_from_a_disk_in_webkit() {
-    in_webkit(grows_from_a_disk);
+    grows_from_a_disk(Engine::WebKit);
 }
 
 fn grows_from_a_disk(engine: Engine) {

@@ -335,15 +335,10 @@ impl Page {
     }
 }
 
-/// Says that the running test is skipped.
+/// Says that the running test is skipped, past the test harness, which would keep it to itself.
 pub fn skip(why: &str) {
-    say("SKIPPED", why);
-}
-
-/// Says something of the running test, past the test harness, which would keep it to itself.
-pub fn say(what: &str, why: &str) {
     let test = std::thread::current().name().unwrap_or_default().to_string();
-    let _ = writeln!(std::io::stderr(), "{what} {test}: {why}");
+    let _ = writeln!(std::io::stderr(), "SKIPPED {test}: {why}");
 }
 
 pub(crate) use crate::keys;
@@ -356,7 +351,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    fn decode(bytes: &[u8]) -> Picture {
+    pub fn decode(bytes: &[u8]) -> Picture {
         let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
         let mut data = vec![0; reader.output_buffer_size().expect("a small picture")];
         let info = reader.next_frame(&mut data).expect("a whole PNG");

@@ -68,7 +68,7 @@ pub fn tints_agree(engine: impl Into<Engine>) {
     let picture = page.picture();
     let scene = Polygons::grow(WHOLE_CAP, &picture);
     let mesh = &scene.rays.body.surface;
-    let controls = plants::find("mushroom").unwrap().controls();
+    let controls = plants::find("mushroom").unwrap().controls(3);
     // Green in red, and pixels, from little tint to much.
     let mut steps = [(0.0, 0); 4];
     for ([red, green, _], place, kind) in scene.samples(&picture) {

@@ -120,6 +120,85 @@ fn the_dialog_makes_steps_and_compares() {
 }
 
 #[test]
+fn two_numbers_make_a_map_that_leads_closer() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#mushroom?v=1&s=2&d=1") else { return };
+    page.ready();
+    page.click("series");
+    page.wait_for("the dialog", "return document.getElementById('series-dialog')?.open === true");
+    page.run(
+        "const dialog = document.getElementById('series-dialog');
+         const choose = (field, value) => {
+             const element = dialog.querySelector(field);
+             element.value = value;
+             element.dispatchEvent(new Event('change', {bubbles: true}));
+         };
+         choose('.number', 'pf');
+         choose('.and .number', 'df');
+         choose('.from', '0.2'); choose('.to', '0.6');
+         choose('.and .from', '4'); choose('.and .to', '12'); choose('.and .count', '9');
+         dialog.querySelector('.each').value = '3';
+         dialog.querySelector('[data-grow=steps]').click()",
+    );
+    let refused = page.run("return document.querySelector('#series-dialog .refusal').textContent");
+    assert!(refused.as_str().unwrap().contains("These are 135 pictures"), "{refused}");
+    page.run(
+        "const dialog = document.getElementById('series-dialog');
+         dialog.querySelector('.each').value = '1';
+         dialog.querySelector('.and .count').value = '5';
+         dialog.querySelector('[data-grow=steps]').click()",
+    );
+    wait_for_pictures(&page, 25);
+    let map = "#steps/mushroom?v=1&s=2&d=1&pf=0.2,0.3,0.4,0.5,0.6&df=4,6,8,10,12";
+    assert_eq!(page.run("return location.hash"), map);
+
+    // Five rows of five, the first number across and the second one down.
+    page.wait_for("the map", "return !!document.querySelector('#figure-list .axes')");
+    let places = "const all = [...document.querySelectorAll('#figure-list .picture')];
+        const box = k => all[k].getBoundingClientRect();
+        return [box(0).top === box(4).top, box(5).top > box(4).bottom - 1, box(5).left === box(0).left,
+            all[1].href.includes('pf=0.3'), all[5].href.includes('df=6')]";
+    assert_eq!(page.run(places), serde_json::json!([true, true, true, true, true]));
+    let axes = page.run("return document.querySelector('#figure-list .axes').textContent");
+    assert!(axes.as_str().unwrap().contains("0.2 to 0.6. Down: "), "{axes}");
+    page.wait_for(
+        "the curves",
+        "return document.querySelectorAll('.summary table tr').length === 6",
+    );
+    let told = page.run("return document.querySelector('.summary .told').textContent");
+    assert!(told.as_str().unwrap().contains("cells are fewest"), "{told}");
+
+    // By the keyboard: the button, then a picture.
+    page.run("document.querySelector('#figure-list .closer').focus()");
+    page.press(&[" "]);
+    let pressed =
+        "return document.querySelector('#figure-list .closer').getAttribute('aria-pressed')";
+    assert_eq!(page.run(pressed), "true");
+    page.run("document.querySelectorAll('#figure-list .picture')[12].focus()");
+    page.press(&["\u{e007}"]);
+    page.wait_for(
+        "the values around it",
+        "return location.hash.includes('pf=0.3,0.35,0.4,0.45,0.5')",
+    );
+    assert!(page.link().ends_with("df=6,7,8,9,10"), "{}", page.link());
+    wait_for_pictures(&page, 25);
+    page.wait_for("the map", "return !!document.querySelector('#figure-list .axes')");
+    page.run("document.querySelector('#figure-list .wider').click()");
+    page.wait_for("what was before", &format!("return location.hash === '{map}'"));
+    wait_for_pictures(&page, 25);
+    page.wait_for("the map", "return !!document.querySelector('#figure-list .axes')");
+
+    // Without the button a picture leads to its plant.
+    page.run("document.querySelector('#figure-list .closer').click()");
+    page.run("document.querySelectorAll('#figure-list .picture')[6].click()");
+    let state = page.ready();
+    assert_eq!(
+        (state.plant.as_str(), page.link()),
+        ("mushroom", "mushroom?v=1&s=2&d=1&pf=0.3&df=6".into())
+    );
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
 fn two_plants_have_one_camera_and_get_a_third_beside_them() {
     let Some(page) = Page::open(Graphics::WebGpu, "#mushroom?v=1&s=2&d=1") else { return };
     page.ready();

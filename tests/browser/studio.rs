@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 const LINK: &str = "philodendron?v=1&s=4&d=1";
 
 /// A folder for the downloads of a test.
-fn downloads(page: &Page, name: &str) -> PathBuf {
+pub fn downloads(page: &Page, name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).unwrap();
@@ -27,7 +27,7 @@ fn downloads(page: &Page, name: &str) -> PathBuf {
 }
 
 /// Asks the studio for a file, and waits for it.
-fn take(page: &Page, wanted: &str, file: &Path) -> Vec<u8> {
+pub fn take(page: &Page, wanted: &str, file: &Path) -> Vec<u8> {
     page.run(&format!("document.querySelector('[data-take={wanted}]').click()"));
     let begun = Instant::now();
     loop {
@@ -36,7 +36,7 @@ fn take(page: &Page, wanted: &str, file: &Path) -> Vec<u8> {
             _ => std::thread::sleep(Duration::from_millis(50)),
         }
         let told = page.run("return document.querySelector('#take-away-dialog .work').innerText");
-        assert!(begun.elapsed() < Duration::from_secs(60), "no {}: {told}", file.display());
+        assert!(begun.elapsed() < Duration::from_secs(240), "no {}: {told}", file.display());
     }
 }
 

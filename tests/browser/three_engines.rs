@@ -1,7 +1,7 @@
 //! The same page in the engines of all browsers: the journey of a first visit, the pixels, the figures.
 //! Chromium is asked everything else too, in the other files; Firefox and WebKit are asked this.
 
-use crate::engines::{Engine, Graphics, in_webkit};
+use crate::engines::{Engine, Graphics};
 use crate::figures::a_row_grows_and_opens;
 use crate::page::{Page, keys};
 use crate::pixels::{pixels_agree, tints_agree};
@@ -21,7 +21,7 @@ fn firefox_takes_a_visitor_along() {
 
 #[test]
 fn webkit_takes_a_visitor_along() {
-    in_webkit(first_visit);
+    first_visit(Engine::WebKit);
 }
 
 #[test]
@@ -32,10 +32,8 @@ fn firefox_paints_the_voronoi_polygons_and_their_tints() {
 
 #[test]
 fn webkit_paints_the_voronoi_polygons_and_their_tints() {
-    in_webkit(|engine| {
-        pixels_agree(engine);
-        tints_agree(engine);
-    });
+    pixels_agree(Engine::WebKit);
+    tints_agree(Engine::WebKit);
 }
 
 #[test]
@@ -45,7 +43,7 @@ fn firefox_draws_what_leads_the_cells() {
 
 #[test]
 fn webkit_draws_what_leads_the_cells() {
-    in_webkit(views_agree);
+    views_agree(Engine::WebKit);
 }
 
 #[test]
@@ -55,7 +53,7 @@ fn a_row_of_figures_grows_and_opens_with_firefox() {
 
 #[test]
 fn a_row_of_figures_grows_and_opens_with_webkit() {
-    in_webkit(a_row_grows_and_opens);
+    a_row_grows_and_opens(Engine::WebKit);
 }
 
 fn first_visit(engine: Engine) {

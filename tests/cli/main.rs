@@ -2,6 +2,7 @@
 
 mod exports;
 mod fits;
+mod leaves;
 mod plants;
 mod shapes;
 mod sweeps;
@@ -92,15 +93,15 @@ fn the_same_wish_is_the_same_however_it_is_said() {
     assert_eq!(first, days(json(&preset)), "the same cells again");
     assert_eq!(first, days(json(&["grow", "--individual", "3", "--day", "2", "--json"])));
     for link in [
-        "croton?v=1&s=3&d=2",
-        "#croton?v=1&s=3&d=2",
-        "https://a.b/c/#croton?v=1&s=3&d=2",
-        "https://a.b/c/#croton?v=1&s=3&d=2).",
-        "https://a.b/c/%23croton%3Fv=1&s=3&d=2",
+        "croton?v=2&s=3&d=2",
+        "#croton?v=2&s=3&d=2",
+        "https://a.b/c/#croton?v=2&s=3&d=2",
+        "https://a.b/c/#croton?v=2&s=3&d=2).",
+        "https://a.b/c/%23croton%3Fv=2&s=3&d=2",
     ] {
         assert_eq!(first, days(json(&["grow", "--link", link, "--json"])), "{link}");
     }
-    let more = days(json(&["grow", "--link", "croton?v=1&s=3&d=0", "--day", "2", "--json"]));
+    let more = days(json(&["grow", "--link", "croton?v=2&s=3&d=0", "--day", "2", "--json"]));
     assert_eq!(first, more, "--day goes before the link's day");
     let plain = ["grow", "--link", "https://a.b/c/", "--individual", "3", "--day", "2", "--json"];
     assert_eq!(first, days(json(&plain)), "the page's own address");

@@ -25,7 +25,7 @@ fn a_changed_number_is_a_changed_plant() {
     let before = grow(&text);
     for (from, to) in [
         ("[9.0, 15.5]", "[9.0, 25.5]"),
-        ("\"initial_cells\": 5000", "\"initial_cells\": 4000"),
+        ("\"initial_cells\": 14000", "\"initial_cells\": 13000"),
         // The skin is refined as all the rest then.
         ("\"skin\"", "\"flesh\""),
         ("\"cactus.obj\"", "\"watermelon.obj\""),

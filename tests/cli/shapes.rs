@@ -223,6 +223,57 @@ fn a_flower_is_written_as_a_mesh_with_its_parts() {
 }
 
 #[test]
+fn a_flower_opens_while_cells_grow_on_it() {
+    let days = ["0", "1", "3", "4"];
+    let (opening, still) = (path("opening.obj"), days.map(|day| path(&format!("open-{day}.obj"))));
+    succeed(&["shape", "flower", "--individual", "2", "--obj", &opening]);
+    let brought =
+        |file: &str| clonal_mosaic::surface::Brought::read(&std::fs::read(file).unwrap()).unwrap();
+    let moving = brought(&opening);
+    for (day, file) in days.iter().zip(&still) {
+        succeed(&["shape", "flower", "--individual", "2", "--day", day, "--obj", file]);
+        let day: f32 = day.parse().unwrap();
+        let then = moving.mesh.moments.iter().find(|moment| moment.day == day).unwrap();
+        let still = brought(file);
+        assert!(still.body.surface.motion.is_still());
+        // The very same, once the numbers of a text are read.
+        assert_eq!(then.positions.len(), still.mesh.positions.len());
+        assert!(then.positions == still.mesh.positions, "day {day}");
+    }
+    // The open flower is the body that moves, so its cells have the same triangles, and in the bud less room.
+    let recipe = file("on-opening.json", crate::SMALL);
+    let grow =
+        |mesh: &str| json(&["grow", "--mesh", mesh, "--recipe", &recipe, "--day", "3", "--json"]);
+    let (opened, open) = (grow(&opening), grow(&still[3]));
+    assert_ne!(opened["days"][3]["fingerprint"], open["days"][3]["fingerprint"]);
+    assert_eq!(opened["days"][3]["cells"], open["days"][3]["cells"]);
+}
+
+#[test]
+fn fine_veins_of_a_leaf_are_open_or_close_in_loops() {
+    let stats = |fine: &str| {
+        let numbers = file(&format!("net-{}.json", fine.len()), &format!("{{\"fine\": {fine}}}"));
+        let out = path(&format!("net-{}.obj", fine.len()));
+        let stats = json(&["shape", "leaf", "--numbers", &numbers, "--obj", &out, "--stats"]);
+        let text = std::fs::read_to_string(&out).unwrap();
+        let surface = clonal_mosaic::surface::Brought::read(text.as_bytes()).unwrap().body.surface;
+        surface.check().unwrap();
+        (stats, surface.veins.any(1), text.contains("usemtl vein:3"))
+    };
+    let (none, ribs, net) = stats("null");
+    assert_eq!(
+        (&none["loops"], &none["fine_vein_length_cm"], ribs, net),
+        (&0.into(), &0.0.into(), true, false)
+    );
+    let (open, _, net) = stats("{\"spacing_cm\": 0.2}");
+    assert!(net && open["loops"] == 0 && open["fine_vein_length_cm"].as_f64() > Some(20.0));
+    let (closed, ..) = stats("{\"spacing_cm\": 0.2, \"closed\": true}");
+    assert!(closed["loops"].as_u64() > Some(50), "{closed}");
+    assert!(closed["fine_vein_length_cm"].as_f64() > open["fine_vein_length_cm"].as_f64());
+    assert_eq!(closed["area_cm2"], none["area_cm2"]);
+}
+
+#[test]
 fn wrong_numbers_are_refused_on_one_line() {
     let no_json = file("no-shape.json", "order = 3");
     let unknown = file("unknown-shape.json", "{\"height\": 3}");

@@ -17,7 +17,8 @@ fn a_sweep_has_the_means_of_its_individuals() {
     let labels: Vec<&str> = pictures.iter().map(|p| p["picture"].as_str().unwrap()).collect();
     assert_eq!(labels, ["day 23", "day 27", "day 30"]);
     let of_individual = |n: &str| {
-        json(&["grow", "--preset", "philodendron", "--individual", n, "--json"])["days"].clone()
+        json(&["grow", "--link", "philodendron?v=1&d=30", "--individual", n, "--json"])["days"]
+            .clone()
     };
     let days = [of_individual("1"), of_individual("2")];
     for (picture, day) in pictures.iter().zip([23, 27, 30]) {
@@ -84,8 +85,8 @@ fn shards_on_any_number_of_threads_merge_to_the_table_of_the_whole() {
 fn a_number_is_varied_and_each_line_can_be_grown_again() {
     let what = [
         "sweep",
-        "--preset",
-        "mushroom",
+        "--link",
+        "mushroom?v=1",
         "--day",
         "6",
         "--vary",

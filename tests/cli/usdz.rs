@@ -36,7 +36,7 @@ fn a_usdz_has_its_files_in_line_and_the_colours_of_the_glb() {
         content
     };
     let (text, picture) = (String::from_utf8(read(0)).unwrap(), read(1));
-    assert!(text.starts_with("#usda 1.0\n") && text.contains("croton?v=1&s=4&d=1"));
+    assert!(text.starts_with("#usda 1.0\n") && text.contains("croton?v=2&s=4&d=1"));
     for part in
         ["defaultPrim = \"plant\"", "metersPerUnit = 0.01", "upAxis = \"Y\"", "@colours.png@"]
     {

@@ -46,7 +46,7 @@ fn lists_are_those_of_a_new_finder_whatever_was_found_before() {
         grow(&before, |growth, mesh, day| {
             used.find(mesh, &growth.diary, day as usize);
         });
-        used.begin();
+        used.begin(Vec::new());
         let mut fresh = SiteFinder::new(&mesh);
         grow(&format!("{plant}?v=1&s=1&days=2"), |growth, mesh, day| {
             let [found, expected] = [&mut used, &mut fresh]

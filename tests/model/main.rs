@@ -8,6 +8,7 @@ mod few_cells;
 mod field;
 mod forces;
 mod growth;
+mod individuals;
 mod meshes;
 mod mosaic;
 mod moving;
@@ -20,6 +21,7 @@ mod texts;
 mod tiling;
 mod veins;
 mod walking;
+mod walls;
 
 use clonal_mosaic::surface::{DirectionField, Mesh};
 use clonal_mosaic::tissue::{Diary, Growth, Progress, Recipe};

@@ -84,8 +84,8 @@ fn exported_colours_are_those_of_the_nearest_sites_of_the_lists() {
         let mut growth = plant.sow(mesh.clone(), recipe, 1).unwrap();
         while growth.step() != Progress::Done {}
         let (diary, day) = (growth.diary, day as usize);
-        let controls = plant.controls();
-        let lists = SiteFinder::new(&mesh).coloured(plant.controls()).find(&mesh, &diary, day);
+        let controls = plant.controls(1);
+        let lists = SiteFinder::new(&mesh).coloured(plant.controls(1)).find(&mesh, &diary, day);
         let specimen = Specimen::new(
             (&mesh, &mesh, &body.ornaments),
             &plant.look,

@@ -3,7 +3,7 @@
 use super::options::ExportOptions;
 use super::output::{Target, say, warn};
 use super::{Refusal, cores, memory, progress, subject};
-use clonal_mosaic::export::{Kind, Order};
+use clonal_mosaic::export::{Kind, Order, write_leaves};
 use clonal_mosaic::tissue::{Diary, Growth, Progress, Recipe};
 use std::io::Write;
 use std::path::Path;
@@ -14,6 +14,10 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
             Kind::ALL.iter().map(|kind| format!("--{}", kind.word())).collect();
         format!("say what to write, and where: one of {}", words.join(", "))
     })?;
+    let individuals = options.individuals.unwrap_or(1);
+    if options.individuals.is_some() && kind != Kind::Leaves {
+        return Err("--individuals is for --leaves: all else is of one individual".to_string());
+    }
     let mut scene = subject::scene(options.source(), options.day)?;
     scene.individual = options.individual.unwrap_or(scene.individual);
     // Tried first: nobody should wait for a plant that cannot be written down.
@@ -30,11 +34,24 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
     let mut recipe = scene.recipe.clone();
     recipe.days = scene.day;
     memory::check(&recipe)?;
-    let (order, growth) = Order::new(kind, &scene, scene.plant.embedded_body())?;
-    let diary = grow(growth.on_threads(cores()), &recipe);
+    let mut grown = Vec::new();
+    for _ in 0..individuals {
+        let (order, growth) = Order::new(kind, &scene, scene.plant.embedded_body())?;
+        grown.push((order, grow(growth.on_threads(cores()), &recipe)));
+        scene.individual = scene.individual.wrapping_add(1);
+    }
     let seen = progress::Progress::new();
     seen.tell("writing");
-    let written = order.write(diary, &name)?;
+    let written = match kind {
+        Kind::Leaves => {
+            let of_each = grown.iter().map(|(order, diary)| (order, diary));
+            write_leaves(&of_each.collect::<Vec<_>>())
+        }
+        _ => {
+            let (order, diary) = grown.remove(0);
+            order.write(diary, &name)
+        }
+    }?;
     // The materials of an OBJ first: it speaks of them.
     for (target, bytes) in targets.into_iter().zip(written.files.iter().rev()) {
         target.write(|out| out.write_all(bytes))?;

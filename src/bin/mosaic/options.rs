@@ -72,8 +72,8 @@ pub enum Command {
 pub struct GrowOptions {
     #[command(flatten)]
     source: SourceOptions,
-    /// A body of your own as OBJ, patterned all over
-    #[arg(long, value_name = "FILE.obj")]
+    /// A body of your own, patterned all over: OBJ or PLY in centimetres, or GLB in metres
+    #[arg(long, value_name = "FILE")]
     pub mesh: Option<PathBuf>,
     /// The seed, from 0 to 4294967295; each one is another individual
     #[arg(long, value_name = "N", value_parser = whole, allow_negative_numbers = true)]

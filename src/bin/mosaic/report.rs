@@ -27,6 +27,8 @@ pub struct BodyLine {
     /// Edges with a triangle on one side alone.
     rim_edges: usize,
     area_cm2: f32,
+    /// What a unit of the file is: 100 for GLB, which is in metres, else 1.
+    unit_cm: f64,
     /// Pairs of rim edges that were made one because their ends are alike; 0 for the catalogue's meshes.
     joined_edges: usize,
     /// Triangles without area or that stand twice; 0 for the catalogue's meshes.
@@ -78,6 +80,7 @@ impl BodyLine {
             parts: mesh.part_count(),
             rim_edges: mesh.twins.iter().filter(|&&twin| twin == NO_TWIN).count(),
             area_cm2: mesh.area,
+            unit_cm: subject.reading.map_or(1.0, |reading| reading.unit_cm),
             joined_edges: subject.reading.map_or(0, |reading| reading.joined_edges),
             left_out_triangles: subject.reading.map_or(0, |reading| reading.left_out_triangles),
             caught_walks: 0,
@@ -116,9 +119,10 @@ impl fmt::Display for BodyLine {
             0 => "closed".to_string(),
             count => number(count, "rim edge", "rim edges"),
         };
+        let unit = if self.unit_cm == 1.0 { "" } else { ", read as metres" };
         writeln!(
             f,
-            "body: {} in {}, {rims}, {} cm2",
+            "body: {} in {}, {rims}, {} cm2{unit}",
             number(self.triangles, "triangle", "triangles"),
             number(self.parts, "part", "parts"),
             self.area_cm2

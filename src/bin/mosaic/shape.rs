@@ -8,7 +8,7 @@ use clonal_mosaic::shapes::ShapeError;
 use clonal_mosaic::shapes::branching::{Census, Matrix, Ramification, Tree, TreeNumbers, bark};
 use clonal_mosaic::shapes::flower::{Flower, FlowerNumbers};
 use clonal_mosaic::shapes::leaf::{Leaf, LeafNumbers, Limb};
-use clonal_mosaic::surface::PolygonMesh;
+use clonal_mosaic::surface::{Moment, PolygonMesh};
 use serde::Serialize;
 use std::fs;
 use std::io::Write;
@@ -41,7 +41,8 @@ struct LeafOptions {
 struct FlowerOptions {
     #[command(flatten)]
     body: BodyOptions,
-    /// The flower's own day, from 0, its bud, to the one on which it is open
+    /// The flower's own day, from 0, its bud, to the one on which it is open: it stands still as it is
+    /// then. Without, its mesh opens from day to day
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     day: Option<f64>,
 }
@@ -97,6 +98,9 @@ struct LeafStats {
     /// Before its sides are curved.
     border_corners: usize,
     area_cm2: f64,
+    fine_vein_length_cm: f64,
+    /// That fine veins close.
+    loops: usize,
 }
 
 fn leaf(body: &BodyOptions) -> Result<(), Refusal> {
@@ -114,6 +118,8 @@ fn leaf(body: &BodyOptions) -> Result<(), Refusal> {
         vein_length_cm: leaf.plan.vein_length(),
         border_corners: Limb::straight(&leaf.plan).corners(),
         area_cm2: leaf.limb.area(),
+        fine_vein_length_cm: leaf.fine.length_cm(),
+        loops: leaf.fine.joins.len(),
     };
     let line = format!(
         "leaf of {}, individual {}: {:.2} cm\u{b2}, {} veins of {:.1} cm together",
@@ -149,7 +155,12 @@ fn flower(options: &FlowerOptions) -> Result<(), Refusal> {
     let flower = Flower::new(&numbers, body.individual).map_err(|e| e.to_string())?;
     let time = day / numbers.open_day;
     if let Some(target) = target {
-        write(target, &PolygonMesh { positions: flower.at(time), ..flower.mesh() })?;
+        let mesh = PolygonMesh { positions: flower.at(time), ..flower.mesh() };
+        let moments = match options.day {
+            Some(_) => Vec::new(),
+            None => opening(&flower, numbers.open_day),
+        };
+        write(target, &PolygonMesh { moments, ..mesh })?;
     }
     let stats = FlowerStats {
         day,
@@ -164,6 +175,17 @@ fn flower(options: &FlowerOptions) -> Result<(), Refusal> {
         stats.petals, body.individual, stats.area_cm2, stats.stamens, stats.pistils
     );
     body.tell(&stats, &line)
+}
+
+/// Moments at least of a flower that opens.
+const MOMENTS: f64 = 12.0;
+
+/// A flower from bud to open: on every whole day, between them if those are few, and on the last one.
+fn opening(flower: &Flower, open_day: f64) -> Vec<Moment> {
+    let a_day = (MOMENTS / open_day).ceil();
+    let steps = (0..).map(|step| f64::from(step) / a_day).take_while(|&day| day < open_day);
+    let moment = |day: f64| Moment { day: day as f32, positions: flower.at(day / open_day) };
+    steps.chain([open_day]).map(moment).collect()
 }
 
 /// What is told of a tree.

@@ -35,6 +35,8 @@ pub struct Reading {
     pub left_out_triangles: usize,
     /// Where in the file's coordinates the mesh has its origin, in cm.
     pub origin: DVec3,
+    /// What a unit of the file is.
+    pub unit_cm: f64,
 }
 
 impl Subject {
@@ -182,9 +184,9 @@ pub fn plant(name: &str) -> Result<&'static Plant, Refusal> {
 
 fn read_mesh(path: &Path) -> Result<(Body, Reading), Refusal> {
     let bytes = fs::read(path).map_err(|e| cannot("read", path, &e))?;
-    let Brought { body, origin, joined_edges, left_out_triangles, .. } =
+    let Brought { body, origin, unit_cm, joined_edges, left_out_triangles, .. } =
         Brought::read(&bytes).map_err(|e| of_file(path, &e))?;
-    Ok((body, Reading { joined_edges, left_out_triangles, origin }))
+    Ok((body, Reading { joined_edges, left_out_triangles, origin, unit_cm }))
 }
 
 fn read(path: &Path) -> Result<String, Refusal> {

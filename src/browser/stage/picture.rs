@@ -11,44 +11,45 @@ use crate::play::outline::Outline;
 use crate::play::page::Page;
 use crate::surface::Body;
 
-pub(super) struct OnStage {
+pub(in crate::browser) struct OnStage {
     /// As it was made.
     body: Body,
     /// As it stands on a day, if it moves.
     standing: Option<(u32, Body)>,
     geometry: Geometry,
-    pub(super) sphere: Sphere,
+    pub(in crate::browser) sphere: Sphere,
 }
 
 /// What is to be drawn.
-pub(super) struct Picture<'a> {
-    pub(super) plant: &'static Plant,
-    pub(super) look: &'a Look,
-    pub(super) show: Show,
+pub(in crate::browser) struct Picture<'a> {
+    pub(in crate::browser) plant: &'static Plant,
+    pub(in crate::browser) individual: u32,
+    pub(in crate::browser) look: &'a Look,
+    pub(in crate::browser) show: Show,
     /// The text of the plant's mesh, once it has come.
-    pub(super) mesh: Option<&'a str>,
+    pub(in crate::browser) mesh: Option<&'a str>,
     /// None: those that are there stay.
-    pub(super) cells: Option<Cells<'a>>,
-    pub(super) camera: &'a Camera,
-    pub(super) moment: f32,
-    pub(super) size_px: (u32, u32),
+    pub(in crate::browser) cells: Option<Cells<'a>>,
+    pub(in crate::browser) camera: &'a Camera,
+    pub(in crate::browser) moment: f32,
+    pub(in crate::browser) size_px: (u32, u32),
     /// Whether it stays as it is when it rests.
-    pub(super) calm: bool,
+    pub(in crate::browser) calm: bool,
 }
 
 /// The cells of a day of a growth.
-pub(super) struct Cells<'a> {
-    pub(super) generation: u32,
-    pub(super) day: u32,
-    pub(super) count: u32,
-    pub(super) lists: &'a SiteLists,
+pub(in crate::browser) struct Cells<'a> {
+    pub(in crate::browser) generation: u32,
+    pub(in crate::browser) day: u32,
+    pub(in crate::browser) count: u32,
+    pub(in crate::browser) lists: &'a SiteLists,
     /// The growth, and in which colours it is seen, where those are not the cells' own.
-    pub(super) painted: Option<(&'a Run, Paint)>,
+    pub(in crate::browser) painted: Option<(&'a Run, Paint)>,
 }
 
 impl<'a> Picture<'a> {
     /// What the page shows.
-    pub(super) fn of(page: &'a Page, size_px: (u32, u32)) -> Picture<'a> {
+    pub(in crate::browser) fn of(page: &'a Page, size_px: (u32, u32)) -> Picture<'a> {
         let (shown, run, scene) = (page.shown(), page.run(), page.scene());
         let day = shown.day.as_ref().filter(|_| shown.generation == run.generation);
         let cells = day.and_then(|day| {
@@ -59,6 +60,7 @@ impl<'a> Picture<'a> {
         });
         Picture {
             plant: scene.plant,
+            individual: scene.individual,
             look: &scene.look,
             show: scene.show,
             mesh: page.mesh(),
@@ -71,17 +73,19 @@ impl<'a> Picture<'a> {
     }
 
     /// What is wanted of it, on a stage where the body stands already as on a day.
-    pub(super) fn wanted(&self, on: Option<&OnStage>) -> Wanted<'_> {
+    pub(in crate::browser) fn wanted(&self, on: Option<&OnStage>) -> Wanted<'_> {
         let cells = self.cells.as_ref().map(|cells| (cells.generation, cells.day));
         let painted = self.cells.as_ref().and_then(|cells| cells.painted);
         let paint = painted.map(|(_, paint)| paint).unwrap_or_default();
         let shape = on.and_then(|on| self.shape(on));
-        Wanted { plant: self.plant.key, shape, look: self.look, show: self.show, cells, paint }
+        let Picture { plant, look, show, .. } = *self;
+        let individual = (plant.rules, self.individual);
+        Wanted { plant: plant.key, shape, individual, look, show, cells, paint }
     }
 
     /// The day on which a body that moves stands as it is to be drawn. What leads the cells is seen on it as it
     /// was made.
-    pub(super) fn shape(&self, on: &OnStage) -> Option<u32> {
+    pub(in crate::browser) fn shape(&self, on: &OnStage) -> Option<u32> {
         if on.body.surface.motion.is_still() || !self.show.is_of_cells() {
             return None;
         }
@@ -90,7 +94,7 @@ impl<'a> Picture<'a> {
     }
 
     /// Hands a part of it to the renderer. Errors if it is too large.
-    pub(super) fn hand(
+    pub(in crate::browser) fn hand(
         &self,
         part: Part,
         on: &OnStage,
@@ -102,7 +106,8 @@ impl<'a> Picture<'a> {
             (Part::Shape, _) => renderer.set_shape(&on.geometry),
             (Part::Look, _) => renderer.set_look(self.look, &on.geometry),
             (Part::Show, _) => {
-                renderer.set_diagram(&self.show.diagram(self.plant, &on.body.surface))?;
+                let surface = &on.body.surface;
+                renderer.set_diagram(&self.show.diagram(self.plant, self.individual, surface))?;
             }
             (Part::Cells, Some(cells)) => {
                 let surface = &on.body().surface;
@@ -127,14 +132,14 @@ impl<'a> Picture<'a> {
 }
 
 impl OnStage {
-    pub(super) fn of(plant: &Plant, mesh: &str) -> Result<OnStage, BodyError> {
+    pub(in crate::browser) fn of(plant: &Plant, mesh: &str) -> Result<OnStage, BodyError> {
         let body = plant.grow_body(mesh)?;
         let (geometry, sphere) = (Geometry::new(&body), Sphere::around(&body));
         Ok(OnStage { body, standing: None, geometry, sphere })
     }
 
     /// Brings a body that moves to where it stands on a day, or as it was made.
-    pub(super) fn stand(&mut self, day: Option<u32>) {
+    pub(in crate::browser) fn stand(&mut self, day: Option<u32>) {
         if self.standing.as_ref().map(|(day, _)| *day) != day {
             self.standing = day.map(|day| (day, self.body.on(day).into_owned()));
             self.geometry =
@@ -143,11 +148,11 @@ impl OnStage {
     }
 
     /// As it stands.
-    pub(super) fn body(&self) -> &Body {
+    pub(in crate::browser) fn body(&self) -> &Body {
         self.standing.as_ref().map_or(&self.body, |(_, body)| body)
     }
 
-    pub(super) fn outline<'a>(&'a self, camera: &'a Camera) -> Outline<'a> {
+    pub(in crate::browser) fn outline<'a>(&'a self, camera: &'a Camera) -> Outline<'a> {
         Outline { body: self.body(), sphere: &self.sphere, camera }
     }
 }

@@ -5,11 +5,11 @@ use super::wish::OPEN;
 use super::with;
 use super::work::{Said, Work};
 use super::{bring_in, own};
-use crate::browser::dom::{document, find, on, set_flag, window};
+use crate::browser::dom::{document, find, member, on, set_flag, window};
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{Blob, BlobPropertyBag, DragEvent, Element, File, HtmlAnchorElement, Url};
+use web_sys::{Blob, BlobPropertyBag, DragEvent, Element, File, FileList, HtmlAnchorElement, Url};
 
 /// Hands bytes to the visitor as a file.
 pub fn save(name: &str, bytes: &Uint8Array) {
@@ -32,8 +32,13 @@ pub fn save(name: &str, bytes: &Uint8Array) {
     }
 }
 
-/// Opens files that are dropped on the page.
+/// Opens files that are dropped on the page, and what the page has kept of those that came before.
 pub fn take_what_is_dropped() {
+    if let Some(file) =
+        member(&document(), "files").dyn_into::<FileList>().ok().and_then(|files| files.get(0))
+    {
+        open(file);
+    }
     let listener = on(&document(), "drop", |event: DragEvent| {
         event.prevent_default();
         let files = event.data_transfer().and_then(|data| data.files());

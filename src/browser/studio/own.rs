@@ -17,6 +17,9 @@ use web_sys::{HtmlInputElement, Storage};
 /// Under these names the last plant is kept: its file, its name, and the link of what stood there before.
 const KEPT: [&str; 3] = ["mosaic-own-file", "mosaic-own-name", "mosaic-own-link"];
 
+/// With what a kept file begins that is no text: a character for each byte follows.
+const IN_BYTES: char = '\0';
+
 /// Makes a plant of a file, and shows it.
 pub fn make(name: &str, bytes: &Uint8Array) {
     let link = link_of(&subject::address()).to_string();
@@ -31,7 +34,11 @@ pub fn make_what_was_kept(asked: String) {
     let Some(storage) = storage() else { return };
     let [file, name, link] = KEPT.map(|key| storage.get_item(key).ok().flatten());
     if let (Some(file), Some(name), Some(link)) = (file, name, link) {
-        make_on(link, name, Uint8Array::from(file.as_bytes()), Some(asked));
+        let bytes = match file.strip_prefix(IN_BYTES) {
+            Some(bytes) => bytes.chars().map(|c| c as u8).collect(),
+            None => file.into_bytes(),
+        };
+        make_on(link, name, Uint8Array::from(&bytes[..]), Some(asked));
     }
 }
 
@@ -103,10 +110,12 @@ fn show(key: &str, text: &str, asked: Option<&str>) {
 }
 
 fn keep(name: &str, bytes: &Uint8Array, link: &str) {
-    let bytes = bytes.to_vec();
-    let text = std::str::from_utf8(&bytes).ok();
-    let kept = storage().zip(text).is_some_and(|(storage, text)| {
-        let mut pairs = KEPT.into_iter().zip([text, name, link]);
+    let text = String::from_utf8(bytes.to_vec()).unwrap_or_else(|file| {
+        let bytes = file.as_bytes().iter().map(|&byte| char::from(byte));
+        [IN_BYTES].into_iter().chain(bytes).collect()
+    });
+    let kept = storage().is_some_and(|storage| {
+        let mut pairs = KEPT.into_iter().zip([&*text, name, link]);
         pairs.all(|(key, value)| storage.set_item(key, value).is_ok())
     });
     if !kept {

@@ -1,10 +1,10 @@
 //! What stands below the pictures of a series: buttons that turn them all, for who cannot drag, and, where plants are
 //! compared, one more of them with another number.
 
-use super::series::rounded;
-use super::subject;
+use super::{atlas, subject};
 use crate::browser::dom::{document, find, offer, on, set_attribute, set_text, within};
 use crate::plants;
+use crate::play::atlas::rounded;
 use crate::play::link;
 use crate::play::parameters::{PARAMETERS, Parameter};
 use crate::play::series::MOST_PICTURES;
@@ -12,6 +12,7 @@ use crate::play::typed::plain;
 use wasm_bindgen::JsCast;
 use web_sys::{
     Element, Event, HtmlInputElement, HtmlSelectElement, KeyboardEvent, KeyboardEventInit,
+    MouseEvent,
 };
 
 /// The buttons beside the page's plant, and the keys on a picture that do the same.
@@ -27,7 +28,8 @@ const KEYS: [(&str, &str); 6] = [
 /// Listens to what will stand below the pictures, for as long as the page is there.
 pub fn listen() {
     let list: Element = find("figure-list");
-    std::mem::forget(on(&list, "click", |event: Event| {
+    std::mem::forget(on(&list, "click", |event: MouseEvent| {
+        atlas::hear(&event);
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         let button = target.and_then(|target| target.closest("[data-key]").ok().flatten());
         if let Some(key) = button.and_then(|button| button.get_attribute("data-key")) {
@@ -59,6 +61,7 @@ pub fn dress(view: &str) {
         }
         propose();
     }
+    atlas::dress(&list, &days);
     let plate: Element = document().document_element().expect("a document has a root");
     let looks: Element = within(&plate, ".turns");
     let Ok(looks) = looks.clone_node_with_deep(true) else { return };

@@ -4,10 +4,12 @@
 use super::charts::table_of;
 use super::files::save;
 use super::{pictures, subject, with};
-use crate::browser::dom::{Listener, document, find, offer, on, set_text, within};
+use crate::browser::dom::{Listener, document, find, offer, on, set_flag, set_text, within};
 use crate::export::{Chart, Grown, nursery, steps};
 use crate::plants;
+use crate::play::atlas::{Axis, rounded, values_between};
 use crate::play::parameters::{PARAMETERS, Parameter};
+use crate::play::series::MOST_PICTURES;
 use crate::play::typed::plain;
 use crate::play::{Scene, link};
 use crate::tissue::DayCount;
@@ -17,6 +19,9 @@ use web_sys::{
     Element, Event, HtmlDialogElement, HtmlInputElement, HtmlSelectElement, MutationObserver,
     MutationObserverInit,
 };
+
+/// Where the fields of the one number and of the other are.
+const AXES: [&str; 2] = ["", ".and "];
 
 pub struct Series {
     dialog: HtmlDialogElement,
@@ -28,15 +33,15 @@ pub struct Series {
 impl Series {
     pub fn new() -> Series {
         let dialog: HtmlDialogElement = find("series-dialog");
-        let number: HtmlSelectElement = within(&dialog, ".number");
-        let listeners = vec![
-            on(&dialog, "click", |event: Event| {
-                if let Some(view) = attribute_of_target(&event, "data-grow") {
-                    with(|studio| studio.series.grow(&view));
-                }
-            }),
-            on(&number, "change", |_: Event| with(|studio| studio.series.propose())),
-        ];
+        let mut listeners = vec![on(&dialog, "click", |event: Event| {
+            if let Some(view) = attribute_of_target(&event, "data-grow") {
+                with(|studio| studio.series.grow(&view));
+            }
+        })];
+        listeners.extend(AXES.map(|of| {
+            let number: HtmlSelectElement = within(&dialog, &format!("{of}.number"));
+            on(&number, "change", move |_: Event| with(|studio| studio.series.propose(of)))
+        }));
         listen_to_pictures();
         Series { dialog, chart: None, _listeners: listeners }
     }
@@ -47,27 +52,41 @@ impl Series {
         let plant = scene.plant;
         let told = format!("{}, individual {}, day {}", plant.name, scene.individual, scene.day);
         set_text(&within(&self.dialog, ".subject"), &told);
-        let number: HtmlSelectElement = within(&self.dialog, ".number");
-        number.set_text_content(None);
-        for parameter in PARAMETERS.iter().filter(|p| p.is_for(plant) && p.is_number()) {
-            offer(&number, parameter.key, &parameter.label(plant));
+        for of in AXES {
+            let number: HtmlSelectElement = within(&self.dialog, &format!("{of}.number"));
+            number.set_text_content(None);
+            if !of.is_empty() {
+                offer(&number, "", "no other one");
+            }
+            for parameter in PARAMETERS.iter().filter(|p| p.is_for(plant) && p.is_number()) {
+                offer(&number, parameter.key, &parameter.label(plant));
+            }
+            self.propose(of);
         }
         self.say("");
-        self.propose();
         if !self.dialog.open() {
             let _ = self.dialog.show_modal();
         }
     }
 
-    /// Proposes steps from half of the number to its double, as far as its range goes.
-    fn propose(&self) {
-        let Some(parameter) = Parameter::of_key(&self.chosen(".number")) else { return };
+    /// Proposes steps from half of a number to its double, as far as its range goes.
+    fn propose(&self, of: &str) {
+        let number = Parameter::of_key(&self.chosen(&format!("{of}.number")));
+        if !of.is_empty() {
+            set_flag(&within(&self.dialog, ".and .ends"), "hidden", number.is_none());
+            set_text(
+                &within(&self.dialog, "[data-grow=steps]"),
+                if number.is_some() { "Grow the map" } else { "Grow the steps" },
+            );
+        }
+        let Some(parameter) = number else { return };
         let now = parameter.get(&subject::scene());
         let [least, greatest] = parameter.range;
         let ends = if now > 0.0 { [0.5 * now, 2.0 * now] } else { parameter.range };
         for (end, value) in [".from", ".to"].into_iter().zip(ends) {
             let value = rounded(parameter, value.clamp(least, greatest));
-            within::<HtmlInputElement>(&self.dialog, end).set_value(&value.to_string());
+            let field: HtmlInputElement = within(&self.dialog, &format!("{of}{end}"));
+            field.set_value(&value.to_string());
         }
     }
 
@@ -94,41 +113,58 @@ impl Series {
         }
     }
 
-    /// The link of the scene with a number in steps.
+    /// The link of the scene with a number in steps, or with two of them.
     fn steps_of(&self, scene: &Scene) -> Result<String, String> {
-        let parameter = Parameter::of_key(&self.chosen(".number")).ok_or("No number is chosen.")?;
-        let name = parameter.label(scene.plant);
+        let mut varied = vec![self.axis(scene, "")?];
+        if !self.chosen(".and .number").is_empty() {
+            varied.push(self.axis(scene, ".and ")?);
+        }
+        let each: u32 = self.chosen(".each").parse().unwrap_or(1);
+        let pictures =
+            varied.iter().map(|axis| axis.values.len()).product::<usize>() * each as usize;
+        if pictures > MOST_PICTURES {
+            return Err(format!(
+                "These are {pictures} pictures, and {MOST_PICTURES} can be grown: take fewer."
+            ));
+        }
+        let link = individuals(scene, each);
+        let (plant, query) = link.split_once('?').unwrap_or((&link, ""));
+        let is_varied = |word: &str| {
+            let key = word.split('=').next().unwrap_or_default();
+            varied.iter().any(|axis| axis.number.key == key)
+        };
+        let kept: Vec<&str> = query.split('&').filter(|word| !is_varied(word)).collect();
+        let mut words = kept.join("&");
+        // The pictures stand in the order of the steps, and the individuals of each beside each other.
+        for Axis { number, values } in &varied {
+            let values: Vec<String> = values.iter().map(f64::to_string).collect();
+            words += &format!("&{}={}", number.key, values.join(","));
+        }
+        Ok(format!("{plant}?{words}"))
+    }
+
+    /// What the fields for a number say.
+    fn axis(&self, scene: &Scene, of: &str) -> Result<Axis, String> {
+        let number = Parameter::of_key(&self.chosen(&format!("{of}.number")));
+        let number = number.ok_or("No number is chosen.")?;
+        let name = number.label(scene.plant);
         let end = |part: &str| {
-            let typed = within::<HtmlInputElement>(&self.dialog, part).value();
+            let typed = within::<HtmlInputElement>(&self.dialog, &format!("{of}{part}")).value();
             plain(&typed.trim().replace(',', ".")).ok_or_else(|| {
                 format!("{name}: “{}” is no number.", typed.chars().take(20).collect::<String>())
             })
         };
         let [from, to] = [end(".from")?, end(".to")?];
-        let count: u32 = self.chosen(".count").parse().unwrap_or(5);
-        let mut values: Vec<f64> = Vec::new();
-        for k in 0..count {
-            let share = f64::from(k) / f64::from(count - 1);
-            let value = rounded(parameter, from + (to - from) * share);
+        let count = self.chosen(&format!("{of}.count")).parse().unwrap_or(5);
+        let values = values_between(number, from, to, count);
+        for &value in &values {
             let mut changed = scene.clone();
-            parameter.set(&mut changed, value).map_err(|why| format!("{name} {value}: {why}."))?;
-            if !values.contains(&value) {
-                values.push(value);
-            }
+            number.set(&mut changed, value).map_err(|why| format!("{name} {value}: {why}."))?;
         }
         if values.len() < 2 {
             return Err(format!("{name}: there is nothing between {from} and {to}."));
         }
-        let each: u32 = self.chosen(".each").parse().unwrap_or(1);
-        let link = individuals(scene, each);
-        let (plant, query) = link.split_once('?').unwrap_or((&link, ""));
-        let key = format!("{}=", parameter.key);
-        let mut words: Vec<&str> = query.split('&').filter(|w| !w.starts_with(&key)).collect();
-        let values: Vec<String> = values.iter().map(f64::to_string).collect();
-        let varied = key + &values.join(",");
-        // The pictures stand in the order of the steps, and the individuals of each beside each other.
-        words.push(&varied);
-        Ok(format!("{plant}?{}", words.join("&")))
+        Ok(Axis { number, values })
     }
 
     /// The scene to compare with.
@@ -230,11 +266,6 @@ fn individuals(scene: &Scene, count: u32) -> String {
     let last = first + count - 1;
     let range = if last > first { format!("s={first}..{last}") } else { format!("s={first}") };
     link.replacen(&format!("s={first}"), &range, 1)
-}
-
-/// A value as it would be typed: in whole numbers where no others are, else with four decimals at most.
-pub fn rounded(parameter: &Parameter, value: f64) -> f64 {
-    if parameter.is_whole() { value.round() } else { (value * 1e4).round() / 1e4 }
 }
 
 /// What a picture of the page shows, by its link and its counts.

@@ -1,5 +1,6 @@
 //! The dialog in which a plant is taken away.
 
+use super::darkroom::{self, Print};
 use super::files::save;
 use super::subject::{self, address, link_of};
 use super::wish::{DOCUMENT, PICTURE};
@@ -27,6 +28,8 @@ struct Making {
     file: String,
     what: &'static str,
     last_day: u32,
+    /// Frames of a film or tiles of a picture, which are drawn when the days have grown.
+    steps: u32,
 }
 
 impl TakeAway {
@@ -45,6 +48,7 @@ impl TakeAway {
         let shares = js_sys::Reflect::has(&window().navigator(), &"share".into()).unwrap_or(false);
         set_flag(&share, "hidden", !shares);
         listeners.push(on(&share, "click", |_: Event| spawn_local(share_link())));
+        listeners.push(on(&dialog, "change", |_: Event| with(|studio| studio.take_away.tell())));
         listeners.push(on(&dialog, "close", |_: Event| with(|studio| studio.take_away.stop(""))));
         TakeAway { dialog, making: None, work: None, _listeners: listeners }
     }
@@ -65,7 +69,7 @@ impl TakeAway {
         let citation = format!(
             "{told}. Clonal Mosaic {}, link version {}, fingerprint {fingerprint}. {address}",
             env!("CARGO_PKG_VERSION"),
-            link::VERSION
+            scene.plant.rules as u32
         );
         for (part, text) in [(".link", &address), (".embed", &embed), (".citation", &citation)] {
             let area: HtmlTextAreaElement = within(&self.dialog, part);
@@ -77,14 +81,28 @@ impl TakeAway {
         set_attribute(&code, "viewBox", view_box);
         code.set_inner_html(&format!("<path d=\"{path}\"/>"));
         self.say("");
+        self.tell();
+        let dialog = self.dialog.clone();
+        spawn_local(async move {
+            darkroom::offer_mp4(dialog.into()).await;
+            with(|studio| studio.take_away.tell());
+        });
         if !self.dialog.open() {
             let _ = self.dialog.show_modal();
         }
     }
 
+    /// Says how large a film and a large picture will be.
+    fn tell(&self) {
+        let link: HtmlTextAreaElement = within(&self.dialog, ".link");
+        darkroom::tell(&self.dialog, &link.value());
+    }
+
     /// Makes what was wanted, and hands it to the visitor.
     fn take(&mut self, wanted: &str) {
-        let address = address();
+        // To ask the page for it makes it draw, and only the picture is to be drawn.
+        let link: HtmlTextAreaElement = within(&self.dialog, ".link");
+        let address = if wanted == PICTURE { address() } else { link.value() };
         let link = link_of(&address).to_string();
         let scene = scene_of(&address);
         let name = format!("{}-{}-day-{}", scene.plant.key, scene.individual, scene.day);
@@ -92,10 +110,29 @@ impl TakeAway {
             Some(kind) => {
                 let end = if kind == Kind::Obj { "zip" } else { kind.extension() };
                 let file = format!("{name}.{end}");
-                self.begin(Making { file: file.clone(), what: kind.word(), last_day: scene.day });
+                let (what, last_day) = (kind.word(), scene.day);
+                self.begin(Making { file: file.clone(), what, last_day, steps: 0 });
                 spawn_local(async move {
                     let mesh = subject::mesh_of(&scene).await;
-                    with(|studio| studio.take_away.grow(&file, kind, &link, mesh, &name));
+                    with(|studio| {
+                        studio.take_away.grow(&file, "workshop", [what, &link], mesh, &*name);
+                    });
+                });
+            }
+            None if darkroom::is_for(wanted) => {
+                let print = Print::chosen(wanted, &self.dialog, &scene, &address);
+                let (file, word) = (print.file.clone(), wanted.to_string());
+                let Print { what, days: last_day, steps, .. } = print;
+                self.begin(Making { file: file.clone(), what, last_day, steps });
+                spawn_local(async move {
+                    let mesh = subject::mesh_of(&scene).await;
+                    let more = print.wish().await;
+                    with(|studio| match more {
+                        Ok(more) => {
+                            studio.take_away.grow(&file, "darkroom", [&word, &link], mesh, more);
+                        }
+                        Err(why) => studio.take_away.stop(&why),
+                    });
                 });
             }
             None if wanted == PICTURE => {
@@ -104,12 +141,12 @@ impl TakeAway {
                         .say("Nothing is drawn on this machine, so there is no picture to take.");
                 };
                 let file = format!("{name}.png");
-                self.begin(Making { file, what: "the picture", last_day: 0 });
+                self.begin(Making { file, what: "the picture", last_day: 0, steps: 0 });
                 self.start([PICTURE, &link, ""], pixels);
             }
             None => {
                 let file = format!("{name}.mosaic.json");
-                self.begin(Making { file, what: "the document", last_day: 0 });
+                self.begin(Making { file, what: "the document", last_day: 0, steps: 0 });
                 self.start([DOCUMENT, &link, &subject::own()], "");
             }
         }
@@ -120,30 +157,35 @@ impl TakeAway {
         self.stop("");
         let doing = if making.last_day == 0 { "Writing" } else { "Growing the plant for" };
         self.say(&format!("{doing} {} …", making.what));
-        self.show_progress(Some((0, making.last_day)));
+        self.show_progress(Some((0, making.last_day + making.steps)));
         self.making = Some(making);
     }
 
-    /// Has a kind of file made of a mesh that has come, unless the visitor wants something else by now.
+    /// Has a bundle make what a word says of a mesh that has come, unless the visitor wants something else by now.
     fn grow(
         &mut self,
         file: &str,
-        kind: Kind,
-        link: &str,
+        bundle: &str,
+        [word, link]: [&str; 2],
         mesh: Result<String, String>,
-        name: &str,
+        more: impl Into<JsValue>,
     ) {
         if self.making.as_ref().is_none_or(|making| making.file != file) {
             return;
         }
         match mesh {
-            Ok(mesh) => self.start([kind.word(), link, &mesh], name),
+            Ok(mesh) => self.start_in(bundle, [word, link, &mesh], more),
             Err(why) => self.stop(&format!("The plant's body did not come: {why}.")),
         }
     }
 
     fn start(&mut self, wish: [&str; 3], more: impl Into<JsValue>) {
-        match Work::start(wish, more, |said| with(|studio| studio.take_away.hear(said))) {
+        self.start_in("workshop", wish, more);
+    }
+
+    fn start_in(&mut self, bundle: &str, wish: [&str; 3], more: impl Into<JsValue>) {
+        let hear = |said| with(|studio| studio.take_away.hear(said));
+        match Work::start_in(bundle, wish, more, hear) {
             Ok(work) => self.work = Some(work),
             Err(why) => self.stop(&why),
         }
@@ -152,15 +194,18 @@ impl TakeAway {
     fn hear(&mut self, said: Said) {
         let Some(making) = &self.making else { return };
         match said {
-            Said::Day(day) => {
-                let last = making.last_day;
-                let what = if day < last {
-                    format!("Day {day} of {last} …")
-                } else {
-                    "Writing …".into()
+            Said::Day(step) => {
+                let Making { last_day, steps, .. } = *making;
+                let what = match step.checked_sub(last_day) {
+                    None => format!("Day {step} of {last_day} …"),
+                    // It is read aloud: a tenth at a time.
+                    Some(step) if step < steps => {
+                        format!("{} of {steps} drawn …", step - step % steps.div_ceil(10))
+                    }
+                    Some(_) => "Writing …".into(),
                 };
                 self.say(&what);
-                self.show_progress(Some((day, last)));
+                self.show_progress(Some((step, last_day + steps)));
             }
             Said::Refused(why) => self.stop(&why),
             Said::Done(answer) => {

@@ -1,4 +1,4 @@
-//! What the studio wishes of its workshop: an array of a word, a link, the packed mesh of its plant, and what
+//! What the studio wishes of its workshop and its darkroom: an array of a word, a link, the packed mesh of its plant, and what
 //! else the word needs. The word of a kind of file (`export::Kind`) needs the name of the file without its end.
 //!
 //! It is answered by numbers, how many days have grown; a text, why it cannot be; or an array, what was wanted:
@@ -33,3 +33,11 @@ pub const NUMBERS: &str = "numbers";
 /// One number of some individuals, how many and what: `12 share F`. An array with the number of each, and at last
 /// an empty one.
 pub const MEASURE: &str = "measure";
+
+/// Of the darkroom: a film, an array of its words (`export::Film::written`) and of what it is staged on (`darkroom`).
+/// The steps so far as numbers, days that have grown and then frames that were drawn: a file.
+pub const FILM: &str = "film";
+
+/// Of the darkroom: a large picture, an array of the word of its size (`export::SheetSize`), of what it is staged
+/// on, and of what stands under it (`darkroom`). Steps are days and then tiles: a file.
+pub const SHEET: &str = "sheet";

@@ -1,4 +1,4 @@
-//! The workshop at its one piece of work; dropping it ends it.
+//! The workshop, or the darkroom, at its one piece of work; dropping it ends it.
 
 use crate::browser::dom::{Listener, on};
 use crate::browser::files;
@@ -13,7 +13,7 @@ pub struct Work {
 
 /// What a worker says.
 pub enum Said {
-    /// So many days have grown.
+    /// So many days have grown, or steps are done.
     Day(u32),
     /// In plain words, why it cannot be.
     Refused(String),
@@ -24,11 +24,21 @@ pub enum Said {
 impl Work {
     /// Starts the workshop and tells it its wish: see `wish`.
     pub fn start(
+        wish: [&str; 3],
+        more: impl Into<JsValue>,
+        hear: impl Fn(Said) + Clone + 'static,
+    ) -> Result<Work, String> {
+        Work::start_in("workshop", wish, more, hear)
+    }
+
+    /// The same in a bundle of another name.
+    pub fn start_in(
+        bundle: &str,
         [word, link, mesh]: [&str; 3],
         more: impl Into<JsValue>,
         hear: impl Fn(Said) + Clone + 'static,
     ) -> Result<Work, String> {
-        let worker = files::start_worker("workshop").ok_or_else(|| {
+        let worker = files::start_worker(bundle).ok_or_else(|| {
             "This browser starts no worker, so nothing can be made here.".to_string()
         })?;
         let wish = Array::of4(&word.into(), &link.into(), &mesh.into(), &more.into());

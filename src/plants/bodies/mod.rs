@@ -9,6 +9,7 @@ mod bloom;
 mod cactus;
 mod coleus;
 mod croton;
+mod ficus;
 mod fittonia;
 mod goeppertia;
 mod lily;
@@ -24,6 +25,7 @@ mod tiger_lily;
 mod watermelon;
 mod winter_squash;
 
+use crate::shapes::branching::{Census, Tree};
 use crate::shapes::flower::cut::{cut_share, pierces};
 use crate::surface::{Mesh, PolygonMesh};
 use glam::Vec3;
@@ -32,7 +34,7 @@ use std::collections::BTreeSet;
 type Rule = fn() -> PolygonMesh;
 
 /// The name of each file under `meshes/` and the rule that makes it.
-const RULES: [(&str, Rule); 18] = [
+const RULES: [(&str, Rule); 19] = [
     ("croton", croton::grow),
     ("cactus", cactus::grow),
     ("watermelon", watermelon::grow),
@@ -51,6 +53,7 @@ const RULES: [(&str, Rule); 18] = [
     ("lily", lily::grow),
     ("lotus", lotus::grow),
     ("tiger_lily", tiger_lily::grow),
+    ("ficus", ficus::grow),
 ];
 
 fn path(name: &str) -> std::path::PathBuf {
@@ -90,6 +93,31 @@ fn leaves_do_not_cut_through_each_other() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_weeping_fig_has_a_leaf_at_each_end_of_the_tree_of_its_matrix() {
+    let tree = ficus::tree();
+    tree.check().unwrap();
+    let leaves = Census::new(&tree).leaves as usize;
+    let surface = crate::plants::find("ficus").unwrap().embedded_body().surface;
+    assert_eq!(surface.part_count(), leaves);
+    assert!((200..2000).contains(&leaves), "{leaves}");
+    // Of five hundred such trees the matrix is the one that it was drawn from.
+    let numbers = ficus::numbers();
+    let matrix = numbers.matrix.ramification().unwrap();
+    let mut census = Census::default();
+    (0..500).for_each(|seed| census.add(&Tree::draw(&matrix, numbers.order, seed).unwrap()));
+    for (k, found) in (2..).zip(census.matrix()) {
+        for (found, exact) in found.iter().zip(matrix.row(k)) {
+            assert!((found - exact).abs() < 0.05, "order {k}: {found}, not {exact}");
+        }
+    }
+    // Leaves of one fork touch at its foot, and hardly elsewhere.
+    let triangles = 0..surface.triangles.len() as u32;
+    let of_leaf = |t: u32| (surface.corners(t), surface.parts[t as usize]);
+    let share = cut_share(triangles.map(of_leaf).collect());
+    assert!(share < 0.09, "{share} of the area is cut");
 }
 
 /// The pairs of parts, from 1, that go through each other.

@@ -226,7 +226,7 @@ pub fn sin_cos(turns: f32) -> (f32, f32) {
 
 /// A number from -1 to 1 that is always the same for the same place: nature's irregularity.
 pub fn jitter(item: u32, purpose: u32) -> f32 {
-    crate::plants::scatter(item, purpose) * 2.0 - 1.0
+    crate::plants::Chance::PLANT.shaken(item, purpose)
 }
 
 /// As `jitter`, for a vertex of a disc.

@@ -49,7 +49,7 @@ impl Plant {
             )));
         }
         self.field(surface).map_err(|why| PlantError(format!("guides: {why}")))?;
-        Growth::new(Arc::clone(surface), self.recipe.clone(), &self.controls(), 0)
+        Growth::new(Arc::clone(surface), self.recipe.clone(), &self.controls(0), 0)
             .map(|_| ())
             .map_err(|e| PlantError(e.to_string()))
     }

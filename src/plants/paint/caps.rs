@@ -1,6 +1,6 @@
 //! What is left of the veil on the caps of fly agarics, and their rims.
 
-use crate::plants::{List, kept, kept_list, scatter};
+use crate::plants::{Chance, List, kept, kept_list};
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
@@ -15,6 +15,9 @@ pub struct Warts {
     pub count: u32,
     /// Radius of the largest, at the top.
     pub wart_radius_cm: f32,
+    /// How far, in turns, an individual's warts are turned around the dome, all together.
+    #[serde(default)]
+    pub astray: f32,
 }
 
 /// From white at the rims of caps to black at their tops, by height.
@@ -34,11 +37,12 @@ pub(super) type Wart = (Vec3, f32);
 
 impl Warts {
     /// Each at the golden angle from the last, the first at the top.
-    pub(super) fn warts(&self) -> Vec<Wart> {
+    pub(super) fn warts(&self, chance: Chance) -> Vec<Wart> {
+        let turned = self.astray * chance.shaken(0, 3);
         let wart = |k: u32| {
-            let shaken = |purpose| scatter(k, purpose) - 0.5;
+            let shaken = |purpose| chance.scatter(k, purpose) - 0.5;
             let down = (k as f32 + 0.5) / self.count as f32;
-            let turns = 0.382 * k as f32 + 0.05 * shaken(1);
+            let turns = 0.382 * k as f32 + 0.05 * shaken(1) + turned;
             let radius_cm = self.wart_radius_cm * (1.0 - 0.4 * down + 0.35 * shaken(2));
             (self.point(turns, 1.0 - down), radius_cm)
         };
@@ -64,6 +68,7 @@ impl Warts {
         kept("radius_cm", self.radius_cm, 0.1, 1000.0)?;
         kept("height_cm", self.height_cm, 0.1, 1000.0)?;
         kept("wart_radius_cm", self.wart_radius_cm, 0.0, 1000.0)?;
+        kept("astray", self.astray, 0.0, 1.0)?;
         match self.count {
             1..=2000 => Ok(()),
             count => Err(format!("count is {count}: it must be from 1 to 2000")),

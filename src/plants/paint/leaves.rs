@@ -1,7 +1,7 @@
 //! Margins and bands of the leaves of a snake plant, side by side in one image.
 
 use crate::plants::sansevieria::{ATLAS_PLACES, LENGTHS_CM, half_width_cm};
-use crate::plants::{kept, rough, scatter};
+use crate::plants::{Chance, kept};
 use serde::{Deserialize, Serialize};
 
 /// White along the rims.
@@ -22,6 +22,9 @@ pub struct Bands {
     pub share_varies: f32,
     /// How far bands go up and down.
     pub zigzag_cm: f32,
+    /// How far the bands of an individual's leaf are moved up, all together, as a share of `apart_cm`.
+    #[serde(default)]
+    pub astray: f32,
 }
 
 impl Margins {
@@ -32,19 +35,21 @@ impl Margins {
 }
 
 impl Bands {
-    pub(super) fn is_white(&self, turns: f32, up: f32) -> bool {
+    pub(super) fn is_white(&self, chance: Chance, turns: f32, up: f32) -> bool {
         let (leaf, across) = place(turns);
         let length_cm = LENGTHS_CM[leaf];
-        self.is_band(across * half_width_cm(length_cm, up), up * length_cm, leaf as u32)
+        let across_cm = across * half_width_cm(length_cm, up);
+        self.is_band(chance, across_cm, up * length_cm, leaf as u32)
     }
 
     /// Whether a band crosses the blade here: so far across from the midrib and up from the soil.
-    fn is_band(&self, across_cm: f32, up_cm: f32, leaf: u32) -> bool {
+    fn is_band(&self, chance: Chance, across_cm: f32, up_cm: f32, leaf: u32) -> bool {
         let band = |at: f32| libm::floorf(at) as u32;
-        let zigzag = rough(across_cm * 0.9 + 20.0, leaf * 7 + band(up_cm / 5.0), 21);
+        let zigzag = chance.rough(across_cm * 0.9 + 20.0, leaf * 7 + band(up_cm / 5.0), 21);
         let bent = up_cm + self.zigzag_cm * zigzag;
-        let at = bent / self.apart_cm + 0.35 * rough(up_cm * 0.5, leaf, 22);
-        let share = self.share + self.share_varies * scatter(band(at + 8.0), 23 + leaf);
+        let at = bent / self.apart_cm + 0.35 * chance.rough(up_cm * 0.5, leaf, 22);
+        let at = at - self.astray * chance.scatter(leaf, 29);
+        let share = self.share + self.share_varies * chance.scatter(band(at + 8.0), 23 + leaf);
         at - libm::floorf(at) < share
     }
 
@@ -52,7 +57,8 @@ impl Bands {
         kept("apart_cm", self.apart_cm, 0.05, 100.0)?;
         kept("share", self.share, 0.0, 1.0)?;
         kept("share_varies", self.share_varies, 0.0, 1.0)?;
-        kept("zigzag_cm", self.zigzag_cm, 0.0, 100.0)
+        kept("zigzag_cm", self.zigzag_cm, 0.0, 100.0)?;
+        kept("astray", self.astray, 0.0, 1.0)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Jagged stripes from end to end, as those of watermelons.
 
-use crate::plants::{kept, rough};
+use crate::plants::{Chance, kept};
 use serde::{Deserialize, Serialize};
 
 /// White stripes from bottom to top. All widths are shares of the room that a stripe and its gap have.
@@ -18,6 +18,10 @@ pub struct Stripes {
     pub wander: f32,
     /// Length of the small teeth at their borders.
     pub teeth: f32,
+    /// How far the stripes of an individual stand beside their even places: all together up to so far, and each
+    /// up to half as far by itself.
+    #[serde(default)]
+    pub astray: f32,
     /// The cube that they run over, where the body is one.
     #[serde(default)]
     pub cube: Option<Cube>,
@@ -34,24 +38,29 @@ pub struct Cube {
 }
 
 impl Stripes {
-    pub(super) fn is_white(&self, turns: f32, height: f32) -> bool {
-        match &self.cube {
-            None => self.is_stripe(turns, height),
-            Some(cube) => self.is_stripe(around(turns), cube.along(height)),
-        }
+    pub(super) fn is_white(&self, chance: Chance, turns: f32, height: f32) -> bool {
+        let (turns, height) = match &self.cube {
+            None => (turns, height),
+            Some(cube) => (around(turns), cube.along(height)),
+        };
+        let at = turns * self.count as f32 + 2.0 * self.astray * chance.scatter(0, 6);
+        // Where stripes keep to their room none comes from beside.
+        let rooms = if self.astray > 0.0 { -1..=1 } else { 0..=0 };
+        let room = at as i32;
+        rooms.into_iter().any(|beside| self.is_stripe(chance, room + beside, at, height))
     }
 
-    fn is_stripe(&self, turns: f32, height: f32) -> bool {
-        let count = self.count as f32;
-        let stripe = (turns * count) as u32 % self.count;
-        let from_middle = turns * count - stripe as f32 - 0.5;
+    /// Whether a place, in rooms around the fruit, lies on the stripe of a room.
+    fn is_stripe(&self, chance: Chance, room: i32, at: f32, height: f32) -> bool {
+        let stripe = room.rem_euclid(self.count as i32) as u32;
+        let from_middle = at - room as f32 - 0.5 - 0.5 * self.astray * chance.shaken(stripe, 7);
         let side = u32::from(from_middle > 0.0);
         // Stripes wander, are of unlike width, and have teeth of two sizes.
-        let wander = self.wander * rough(height * 5.0, stripe, 0);
+        let wander = self.wander * chance.rough(height * 5.0, stripe, 0);
         let width = self.half_width
-            + self.varies_between * rough(0.0, stripe, 1)
-            + self.varies_along * rough(height * 9.0, stripe, 2 + side);
-        let teeth = self.teeth * rough(height * 34.0, stripe, 4 + side);
+            + self.varies_between * chance.rough(0.0, stripe, 1)
+            + self.varies_along * chance.rough(height * 9.0, stripe, 2 + side);
+        let teeth = self.teeth * chance.rough(height * 34.0, stripe, 4 + side);
         (from_middle - wander).abs() < width + teeth
     }
 
@@ -64,6 +73,7 @@ impl Stripes {
         kept("varies_along", self.varies_along, 0.0, 1.0)?;
         kept("wander", self.wander, 0.0, 1.0)?;
         kept("teeth", self.teeth, 0.0, 1.0)?;
+        kept("astray", self.astray, 0.0, 1.0)?;
         let Some(cube) = &self.cube else { return Ok(()) };
         kept("half_side_cm", cube.half_side_cm, 0.1, 1000.0)?;
         kept("bulge_cm", cube.bulge_cm, 0.01, 1000.0)

@@ -1,6 +1,7 @@
 //! What links say, and what is told of those that say something else.
 
 use super::*;
+use crate::plants::Rules;
 use crate::play::testing::PLANTS;
 use crate::tissue::Clock;
 
@@ -131,6 +132,37 @@ fn foreign_links_are_told_and_replaced() {
     // Never a panic, whatever comes.
     for text in ["#%", "#%zz?%f", "#?&&==&", "#leaf?s=-1&d=1e9&n=NaN&view=,,", "#…?…=…"] {
         open(text);
+    }
+}
+
+#[test]
+fn links_of_earlier_rules_mean_the_plants_of_then() {
+    let plants = crate::plants::all();
+    for plant in plants.iter().filter(|plant| plant.rules == Rules::Second) {
+        let of = |query: &str| {
+            let opened = read(&format!("{}?s=3{query}", plant.key), plants);
+            assert_eq!(opened.left_out, [""; 0]);
+            opened.scene
+        };
+        let (newest, first, second) = (of(""), of("&v=1"), of("&v=2"));
+        assert_eq!([&newest, &first, &second].map(|scene| scene.plant.rules as u32), [2, 1, 2]);
+        assert!(newest == second && newest != first);
+        assert_eq!(first.recipe, plant.under(1).unwrap().recipe);
+        for (scene, version) in [(&first, "v=1"), (&second, "v=2")] {
+            let link = write(scene);
+            assert!(link.starts_with(&format!("{}?{version}&s=3&d=", plant.key)), "{link}");
+            assert!(read(&link, plants).scene == *scene);
+        }
+        let alike = Scene { recipe: first.recipe.clone(), ..second };
+        assert!(!alike.grows_like(&first), "rules are others");
+    }
+    for (version, why) in [
+        ("3", "this playground reads links up to version 2"),
+        ("0", "this playground reads links up to version 2"),
+        ("x", "it must be a whole number from 0 to 4294967295"),
+    ] {
+        let told = read(&format!("croton?v={version}"), plants).left_out;
+        assert_eq!(told, [format!("“v={version}” was left out: {why}.")]);
     }
 }
 

@@ -6,7 +6,8 @@ use super::triangles::{Flat, triangulate};
 use super::{Blade, LeafNumbers, LeafPlan, LeafPoint, Limb};
 use crate::shapes::ShapeError;
 use crate::shapes::tube::{point, tube};
-use crate::surface::{Face, Group, PolygonMesh};
+use crate::shapes::veins::{Network, VeinNumbers, grow, scatter};
+use crate::surface::{Face, Group, Line, PolygonMesh};
 use glam::{DVec2, DVec3, Vec2};
 
 /// A grown leaf.
@@ -22,6 +23,8 @@ pub struct Leaf {
     pub coordinates: Vec<LeafPoint>,
     /// Counter-clockwise seen from above.
     pub triangles: Vec<[u32; 3]>,
+    /// Of the third order, flat on the table; its roots lie on the veins of the plan.
+    pub fine: Network,
     numbers: LeafNumbers,
 }
 
@@ -37,14 +40,23 @@ impl Leaf {
         let plan = LeafPlan::new(numbers, individual)?;
         let limb = Limb::new(&plan);
         let spacing_cm = spacing(limb.area(), numbers.triangles);
-        let Flat { points, triangles, rim } = triangulate(&limb, &plan.veins, spacing_cm);
+        let fine = match &numbers.fine {
+            Some(fine) => fine_veins(&plan, &limb, fine, individual)?,
+            None => Network::default(),
+        };
+        let fine_paths = fine.paths();
+        let paths = plan.veins.iter().map(|vein| &vein.path[..]);
+        let paths: Vec<&[DVec2]> = paths.chain(fine_paths.iter().map(|path| &path[..])).collect();
+        let Flat { points, triangles, rim } = triangulate(&limb, &paths, spacing_cm);
         let coordinates = points.iter().map(|&p| plan.coordinates(p)).collect();
-        Ok(Leaf { plan, limb, points, rim, coordinates, triangles, numbers: numbers.clone() })
+        let numbers = numbers.clone();
+        Ok(Leaf { plan, limb, points, rim, coordinates, triangles, fine, numbers })
     }
 
     /// The leaf in space, in centimetres, the foot of its petiole in the origin. The blade carries cells; its
     /// underside, if it has one, veins and petiole are bare. Texture coordinates of the blade: `x` the affinity
-    /// ratio, under 0 on the left of the leaf, `y` the homothety ratio.
+    /// ratio, under 0 on the left of the leaf, `y` the homothety ratio. Main veins are lines of the first order,
+    /// secondary ones of the second, fine ones of the third.
     pub fn mesh(&self) -> PolygonMesh {
         let blade = Blade::new(&self.plan, &self.numbers);
         let mut mesh = PolygonMesh::default();
@@ -68,8 +80,25 @@ impl Leaf {
                 .collect();
             tube(&mut mesh, 6, &path);
         }
+        self.lines(&mut mesh, &blade);
         mesh.uvs.resize(mesh.positions.len(), Vec2::ZERO);
         mesh
+    }
+
+    /// All veins as lines, with as many points as their bends on the blade need.
+    fn lines(&self, mesh: &mut PolygonMesh, blade: &Blade) {
+        let step_cm = blade.length() / 40.0;
+        let of_plan = self.plan.veins.iter().map(|vein| {
+            let order = if vein.right.is_none() { 1 } else { 2 };
+            (order, along(&vein.path, step_cm))
+        });
+        let fine = self.fine.paths().into_iter().map(|path| (3, path));
+        for (order, path) in of_plan.chain(fine) {
+            let first = mesh.positions.len() as u32;
+            mesh.positions.extend(path.iter().map(|&p| point(blade.place(p))));
+            mesh.lines
+                .push(Line { vertices: (first..mesh.positions.len() as u32).collect(), order });
+        }
     }
 
     /// The lobe in the middle has a left and a right half, every other lobe lies on one side of the leaf.
@@ -125,6 +154,34 @@ impl Leaf {
             tube(mesh, 4, &path);
         }
     }
+}
+
+/// Points of a line at most so far apart, its own ones among them.
+fn along(path: &[DVec2], apart_cm: f64) -> Vec<DVec2> {
+    let mut points = vec![path[0]];
+    for ends in path.windows(2) {
+        let pieces = (ends[0].distance(ends[1]) / apart_cm).ceil().max(1.0);
+        let shares = (1..=pieces as u32).map(|piece| f64::from(piece) / pieces);
+        points.extend(shares.map(|share| ends[0].lerp(ends[1], share)));
+    }
+    points
+}
+
+/// Veins that grow from those of the plan towards sources all over the limb.
+fn fine_veins(
+    plan: &LeafPlan,
+    limb: &Limb,
+    numbers: &VeinNumbers,
+    individual: u32,
+) -> Result<Network, ShapeError> {
+    let step_cm = numbers.step * numbers.spacing_cm;
+    let roots: Vec<DVec2> = plan.veins.iter().flat_map(|vein| along(&vein.path, step_cm)).collect();
+    // None beside a vein that is there.
+    let is_free =
+        |source: &DVec2| roots.iter().all(|root| root.distance(*source) >= numbers.spacing_cm);
+    let mut sources = scatter(&limb.outlines, numbers.spacing_cm, individual);
+    sources.retain(is_free);
+    grow(&roots, &sources, numbers)
 }
 
 fn start(mesh: &mut PolygonMesh, part: &str, material: &str) {

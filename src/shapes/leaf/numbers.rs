@@ -1,6 +1,7 @@
 //! The numbers of a leaf, as they stand in a file.
 
 use crate::shapes::ShapeError;
+use crate::shapes::veins::VeinNumbers;
 use crate::shapes::wrong::{read, within};
 use serde::{Deserialize, Serialize};
 
@@ -51,6 +52,8 @@ pub struct LeafNumbers {
     pub waves: f64,
     /// A blade with an underside of its own, so much under it; 0 (a single sheet) to 1.
     pub thickness_cm: f64,
+    /// Veins of the third order that grow from those of the plan all over the blade, if there are any.
+    pub fine: Option<VeinNumbers>,
 }
 
 /// The three laws of the source; `d` are the steps to the tip, from 1.
@@ -109,6 +112,7 @@ impl Default for LeafNumbers {
             wave_cm: 0.15,
             waves: 3.0,
             thickness_cm: 0.0,
+            fine: None,
         }
     }
 }
@@ -156,6 +160,9 @@ impl LeafNumbers {
         if let Border::Toothed { tooth_deg } = self.border {
             within("border.toothed.tooth_deg", tooth_deg, &(-45.0..=45.0))?;
         }
+        if let Some(fine) = &self.fine {
+            fine.check().map_err(|e| ShapeError(format!("fine: {e}")))?;
+        }
         self.length.check()
     }
 }
@@ -202,6 +209,9 @@ mod tests {
                 assert_eq!(LeafNumbers::from_json(&text).unwrap(), numbers, "{text}");
             }
         }
+        let fine = Some(VeinNumbers { closed: true, ..VeinNumbers::default() });
+        let net = LeafNumbers { fine, ..LeafNumbers::default() };
+        assert_eq!(LeafNumbers::from_json(r#"{"fine": {"closed": true}}"#).unwrap(), net);
         assert_eq!(LeafNumbers::from_json("{}").unwrap(), LeafNumbers::default());
     }
 
@@ -218,6 +228,7 @@ mod tests {
             ("{\"border\": \"wavy\"}", "unknown variant `wavy`"),
             ("{\"border\": {\"toothed\": {\"tooth_deg\": 60}}}", "tooth_deg is 60"),
             ("{\"length\": {\"linear\": {\"a_cm\": 1, \"b_cm\": -1}}}", "would be 0.000 cm long"),
+            ("{\"fine\": {\"step\": 3}}", "fine: step is 3: it must be from 0.05 to 1"),
             ("{\"length\": {\"constant\": {\"b_cm\": 30}}}", "b_cm of length is 30"),
         ] {
             let wrong = LeafNumbers::from_json(text).unwrap_err().to_string();

@@ -1,6 +1,6 @@
 //! A limb cut into triangles: along its border and its veins, and even ones between them.
 
-use super::{Limb, Vein};
+use super::Limb;
 use crate::shapes::chance::{Purpose, either_way, part_key};
 use glam::DVec2;
 use spade::handles::FixedVertexHandle;
@@ -26,8 +26,8 @@ const APART: f64 = 0.62;
 /// that chooses how they are joined.
 const STRAY: f64 = 0.06;
 
-/// Cuts a limb, with corners about `spacing_cm` apart.
-pub fn triangulate(limb: &Limb, veins: &[Vein], spacing_cm: f64) -> Flat {
+/// Cuts a limb, with corners about `spacing_cm` apart, along veins that go from point to point.
+pub fn triangulate(limb: &Limb, veins: &[&[DVec2]], spacing_cm: f64) -> Flat {
     let mut points = Points::new(limb, spacing_cm);
     let mut border = Vec::new();
     for outline in &limb.outlines {
@@ -37,7 +37,7 @@ pub fn triangulate(limb: &Limb, veins: &[Vein], spacing_cm: f64) -> Flat {
     let rim = points.all.len();
     let mut along_veins = Vec::new();
     for vein in veins {
-        points.add_line(&vein.path, ALIKE * spacing_cm, &mut along_veins);
+        points.add_line(vein, ALIKE * spacing_cm, &mut along_veins);
     }
     points.fill(limb);
     let places = points.all.iter().map(|p| Point2::new(p.x, p.y)).collect();

@@ -1,20 +1,8 @@
 //! Open venation: each source pulls the node that is nearest to it, and is gone when a vein comes near.
 
-use super::VeinNumbers;
-use crate::shapes::ShapeError;
+use super::{Network, VeinNumbers};
 use glam::DVec2;
 use std::collections::BTreeMap;
-
-/// Nodes of veins, each behind its parent.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Network {
-    pub nodes: Vec<DVec2>,
-    /// Of each node; roots, the first ones, have themselves.
-    pub parents: Vec<u32>,
-    /// Of the vein between a node and its parent.
-    pub width_cm: Vec<f64>,
-    pub steps: u32,
-}
 
 /// Sources stand in cells of so many spacings, so that most nodes are looked at for a whole cell at once.
 const CELL: f64 = 4.0;
@@ -40,29 +28,16 @@ struct Cell {
     members: Vec<u32>,
 }
 
-/// Grows veins from their roots to all sources. A source between two veins that pull apart evenly may never be
-/// reached; it is given up, instead of growing the same piece again and again.
-///
-/// # Errors
-/// Numbers out of their range.
-pub fn grow(
-    roots: &[DVec2],
-    sources: &[DVec2],
-    numbers: &VeinNumbers,
-) -> Result<Network, ShapeError> {
-    numbers.check()?;
+/// Grows veins from the roots of a network to all sources.
+pub(super) fn grow(network: &mut Network, sources: &[DVec2], numbers: &VeinNumbers) {
     let step = numbers.step * numbers.spacing_cm;
     let reach = numbers.reach * numbers.spacing_cm;
-    let mut network = Network {
-        nodes: roots.to_vec(),
-        parents: (0..roots.len() as u32).collect(),
-        ..Network::default()
-    };
+    let roots = network.nodes.len();
     let mut sources = Sources::new(sources, CELL * numbers.spacing_cm);
     sources.notice(&network.nodes, 0, reach);
     let mut pulls: Vec<DVec2> = Vec::new();
     let mut last_child: Vec<DVec2> = Vec::new();
-    while sources.all.iter().any(|source| !source.is_gone) && !roots.is_empty() {
+    while sources.all.iter().any(|source| !source.is_gone) && roots > 0 {
         pulls.clear();
         pulls.resize(network.nodes.len(), DVec2::ZERO);
         last_child.resize(network.nodes.len(), DVec2::NAN);
@@ -95,8 +70,6 @@ pub fn grow(
         }
         sources.notice(&network.nodes, before, reach);
     }
-    network.width_cm = widths(&network, numbers);
-    Ok(network)
 }
 
 impl Sources {
@@ -141,19 +114,4 @@ impl Sources {
             }
         }
     }
-}
-
-/// Murray's law: as wide as all ends behind a node together.
-fn widths(network: &Network, numbers: &VeinNumbers) -> Vec<f64> {
-    let mut ends = vec![0.0; network.nodes.len()];
-    for node in (0..network.nodes.len()).rev() {
-        if ends[node] == 0.0 {
-            ends[node] = 1.0;
-        }
-        let parent = network.parents[node] as usize;
-        if parent != node {
-            ends[parent] += ends[node];
-        }
-    }
-    ends.into_iter().map(|ends| numbers.tip_cm * libm::pow(ends, 1.0 / numbers.exponent)).collect()
 }

@@ -1,6 +1,6 @@
 //! Veins against exact runs and known densities.
 
-use super::{Network, VeinNumbers, grow, scatter};
+use super::{VeinNumbers, grow, scatter};
 use glam::DVec2;
 
 fn square() -> Vec<Vec<DVec2>> {
@@ -9,11 +9,6 @@ fn square() -> Vec<Vec<DVec2>> {
 
 fn numbers(spacing_cm: f64) -> VeinNumbers {
     VeinNumbers { spacing_cm, ..VeinNumbers::default() }
-}
-
-fn length(network: &Network) -> f64 {
-    let parents = network.parents.iter().map(|&parent| network.nodes[parent as usize]);
-    network.nodes.iter().zip(parents).map(|(node, parent)| node.distance(parent)).sum()
 }
 
 #[test]
@@ -84,7 +79,7 @@ fn veins_of_a_square_have_the_known_length_and_reach_nearly_all_sources() {
         let sources = scatter(&square(), spacing, 4);
         let numbers = numbers(spacing);
         let network = grow(&[DVec2::new(0.5, 0.0)], &sources, &numbers).unwrap();
-        let constant = length(&network) * spacing;
+        let constant = network.length_cm() * spacing;
         assert!((constant - 0.575).abs() < 0.03, "{constant}");
         let steps = f64::from(network.steps) * spacing;
         assert!((2.0..6.0).contains(&steps), "{steps}");
@@ -119,4 +114,122 @@ fn wrong_numbers_are_named() {
         let told = grow(&[DVec2::ZERO], &[DVec2::ONE], &wrong).unwrap_err().to_string();
         assert!(told.contains(words), "{told}");
     }
+}
+
+fn closed(spacing_cm: f64) -> VeinNumbers {
+    VeinNumbers { closed: true, ..numbers(spacing_cm) }
+}
+
+#[test]
+fn a_closed_vein_runs_straight_to_one_source_and_ends_there() {
+    for (x, spacing, step, reach) in
+        [(0.99, 0.1, 1.0 / 3.0, 2.0 / 3.0), (0.77, 0.05, 0.5, 0.5), (0.31, 0.2, 0.25, 1.0)]
+    {
+        let numbers = VeinNumbers { step, reach, ..closed(spacing) };
+        let network = grow(&[DVec2::ZERO], &[DVec2::new(x, 0.0)], &numbers).unwrap();
+        let exact = ((x - reach * spacing) / (step * spacing)).ceil();
+        assert_eq!((network.nodes.len(), network.joins.len()), (1 + exact as usize, 0));
+        assert!(network.nodes.iter().all(|node| node.y == 0.0));
+    }
+}
+
+#[test]
+fn veins_from_around_a_source_meet_in_it() {
+    for count in 2..=5 {
+        let root = |k| {
+            let angle = std::f64::consts::TAU * f64::from(k) / f64::from(count) + 0.3;
+            DVec2::new(libm::cos(angle), libm::sin(angle)) * 0.98
+        };
+        let roots: Vec<DVec2> = (0..count).map(root).collect();
+        let numbers = closed(0.1);
+        let network = grow(&roots, &[DVec2::ZERO], &numbers).unwrap();
+        // Each comes within reach, and they meet in the source: a loop less than there are veins.
+        let run = ((0.98 - numbers.reach * 0.1) / (numbers.step * 0.1)).ceil() as usize;
+        assert_eq!(network.nodes.len(), roots.len() * (1 + run) + 1);
+        assert_eq!(network.nodes.last(), Some(&DVec2::ZERO));
+        assert_eq!(network.joins.len(), roots.len() - 1);
+        let whole = roots.len() as f64 * 0.98;
+        assert!((network.length_cm() / whole - 1.0).abs() < 1e-12, "{}", network.length_cm());
+        // An open vein is nearest to it alone.
+        let open = grow(&roots, &[DVec2::ZERO], &VeinNumbers { closed: false, ..numbers }).unwrap();
+        assert!(open.joins.is_empty() && open.length_cm() < 0.98);
+    }
+}
+
+#[test]
+fn a_node_that_another_one_is_in_the_way_of_is_not_pulled() {
+    // The nearer root is nearer to the farther one than that is to the source.
+    let roots = [DVec2::new(1.0, 0.0), DVec2::new(0.8, 0.3)];
+    let network = grow(&roots, &[DVec2::ZERO], &closed(0.1)).unwrap();
+    assert!(network.parents[2..].iter().all(|&parent| parent != 0) && network.joins.is_empty());
+}
+
+#[test]
+fn mirrored_sources_have_mirrored_loops() {
+    let mut sources = Vec::new();
+    for k in 1..=40 {
+        let p = DVec2::new(0.03 + 0.071 * f64::from(k * 7 % 11), 0.025 * f64::from(k));
+        sources.extend([p, DVec2::new(-p.x, p.y)]);
+    }
+    let roots: Vec<DVec2> = (0..=10).map(|k| DVec2::new(0.0, 0.1 * f64::from(k))).collect();
+    let network = grow(&roots, &sources, &closed(0.08)).unwrap();
+    let sides = [1.0, -1.0].map(|sign| {
+        let bits = |p: DVec2| [(p.x * sign + 0.0).to_bits(), p.y.to_bits()];
+        let mut nodes: Vec<[u64; 2]> = network.nodes.iter().copied().map(bits).collect();
+        nodes.sort_unstable();
+        let mut joins: Vec<_> = network
+            .pieces()
+            .map(|(ends, _)| {
+                let mut ends = ends.map(bits);
+                ends.sort_unstable();
+                ends
+            })
+            .collect();
+        joins.sort_unstable();
+        (nodes, joins)
+    });
+    assert!(network.joins.len() > 8, "{} loops", network.joins.len());
+    assert_eq!(sides[0], sides[1]);
+}
+
+#[test]
+fn loops_are_what_joins_more_than_a_tree_does() {
+    let sources = scatter(&square(), 0.04, 4);
+    let network = grow(&[DVec2::new(0.5, 0.0)], &sources, &closed(0.04)).unwrap();
+    // Euler: pieces less nodes and one more for each connected part.
+    let mut part: Vec<usize> = (0..network.nodes.len()).collect();
+    fn find(part: &mut [usize], mut k: usize) -> usize {
+        while part[k] != k {
+            part[k] = part[part[k]];
+            k = part[k];
+        }
+        k
+    }
+    let tree = (0..).zip(&network.parents).skip(1).map(|(node, &parent)| [node, parent]);
+    let pieces: Vec<[u32; 2]> = tree.chain(network.joins.iter().copied()).collect();
+    for &[a, b] in &pieces {
+        let [a, b] = [a, b].map(|k| find(&mut part, k as usize));
+        part[a] = b;
+    }
+    let parts = (0..network.nodes.len()).filter(|&k| part[k] == k).count();
+    assert_eq!((parts, pieces.len() + 1 - network.nodes.len()), (1, network.joins.len()));
+    let share = network.joins.len() as f64 / sources.len() as f64;
+    assert!((0.3..0.6).contains(&share), "{share} loops a source");
+    // Pieces are a step long, but for those that meet.
+    let step = numbers(0.04).step * 0.04;
+    let reach = numbers(0.04).reach * 0.04;
+    for ([from, to], _) in network.pieces() {
+        let long = from.distance(to);
+        assert!((long / step - 1.0).abs() < 1e-9 || long <= reach, "{long}");
+    }
+    // Lines are the same pieces, each once.
+    let lines: Vec<f64> = network
+        .paths()
+        .iter()
+        .flat_map(|path| path.windows(2).map(|ends| ends[0].distance(ends[1])).collect::<Vec<_>>())
+        .collect();
+    assert_eq!(lines.len(), network.pieces().count());
+    assert!((lines.iter().sum::<f64>() / network.length_cm() - 1.0).abs() < 1e-9);
+    let root = network.width_cm[0];
+    assert!(network.width_cm.iter().all(|&width| width <= root));
 }

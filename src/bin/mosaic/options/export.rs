@@ -1,6 +1,6 @@
 //! What `mosaic export` is asked for.
 
-use super::{FIRST_PLANT, Source, presets, whole};
+use super::{FIRST_PLANT, Source, from_one_to, presets, whole};
 use clap::Args;
 use clonal_mosaic::export::Kind;
 use std::path::{Path, PathBuf};
@@ -15,6 +15,9 @@ pub struct ExportOptions {
     /// The day; without it the link's day, or the last day of the plant
     #[arg(long, value_name = "D", value_parser = whole, allow_negative_numbers = true)]
     pub day: Option<u32>,
+    /// With --leaves, those of so many individuals from this one on, up to 16
+    #[arg(long, value_name = "N", value_parser = from_one_to::<16>, allow_negative_numbers = true)]
+    pub individuals: Option<u32>,
     #[command(flatten)]
     wanted: Wanted,
 }
@@ -55,6 +58,9 @@ struct Wanted {
     /// Its leaves laid flat, true to scale, as SVG: one path for each type on each leaf
     #[arg(long, value_name = "OUT.svg")]
     svg: Option<PathBuf>,
+    /// Its leaves laid flat side by side as pictures, 2048 pixels wide, in a ZIP: colours, alpha, normals and veins
+    #[arg(long, value_name = "OUT.zip")]
+    leaves: Option<PathBuf>,
     /// Its cells on a flat square that can be laid side by side without a seam, as PNG, 2048 pixels wide
     #[arg(long, value_name = "OUT.png")]
     tile: Option<PathBuf>,
@@ -84,7 +90,8 @@ impl ExportOptions {
     }
 
     fn path(&self, kind: Kind) -> Option<&Path> {
-        let Wanted { glb, ply, obj, three_mf, usdz, svg, tile, days, clones, cells } = &self.wanted;
+        let Wanted { glb, ply, obj, three_mf, usdz, svg, leaves, tile, days, clones, cells } =
+            &self.wanted;
         let path = match kind {
             Kind::Glb => glb,
             Kind::Ply => ply,
@@ -92,6 +99,7 @@ impl ExportOptions {
             Kind::ThreeMf => three_mf,
             Kind::Usdz => usdz,
             Kind::Svg => svg,
+            Kind::Leaves => leaves,
             Kind::Tile => tile,
             Kind::Days => days,
             Kind::Clones => clones,
