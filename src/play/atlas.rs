@@ -3,6 +3,7 @@
 
 use super::Scene;
 use super::parameters::Parameter;
+use crate::surface::{holds, limited};
 
 /// A number of a series, and its values.
 #[derive(Clone)]
@@ -31,7 +32,7 @@ impl Atlas {
                     let values = values.split(',').map(|value| number.read(value).ok());
                     axes.push(Axis { number, values: values.collect::<Option<_>>()? });
                 }
-                Some((key, range)) if key != "view" && range.contains("..") => return None,
+                Some((key, range)) if key != "view" && holds(range, "..") => return None,
                 _ => rest.push(word),
             }
         }
@@ -57,7 +58,7 @@ impl Atlas {
             let (low, high) = ends(values);
             let width = ((high - low) * times).min(greatest - least);
             let from = number.get(scene) - 0.5 * width;
-            let from = from.clamp(least, greatest - width);
+            let from = limited(from, least, greatest - width);
             let values = values_between(number, from, from + width, values.len());
             if values.len() < 2 { axis } else { Axis { number: axis.number, values } }
         });
