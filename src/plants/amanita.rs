@@ -1,7 +1,7 @@
 //! Ragged fly agaric: red spreads between the remains of the veil (Thesis, Fig. 4.14).
 
 use super::paint::{Image, ImageRule, Paint, Warts};
-use super::{Plant, Rules, mushroom};
+use super::{Plant, Rules, View, mushroom};
 use crate::surface::{Cylinder, Wrap};
 use crate::tissue::{Recipe, Use};
 use glam::Vec3;
@@ -46,6 +46,8 @@ pub const PLANT: Plant = Plant {
         ..FIRST.recipe
     },
     first_day: 14,
+    // From above: the cap is what it differs in from the other fly agaric.
+    view: View { azimuth_deg: 20.0, elevation_deg: 36.0, zoom: 1.12 },
     paint: &[turned(GROWN_CAP, CAP_WARTS), turned(BUTTON, BUTTON_WARTS), mushroom::ORANGE_RIMS],
     ..FIRST
 };

@@ -1,6 +1,6 @@
 //! Young croton: gold dust on green leaves, one clone a fleck (Thesis, Fig. 4.1, 4.2 and 4.4).
 
-use super::{Plant, Rules, croton};
+use super::{Plant, Rules, View, croton};
 use crate::tissue::Recipe;
 
 /// As links of the first rules have it.
@@ -34,5 +34,7 @@ pub const PLANT: Plant = Plant {
         ..FIRST.recipe
     },
     look: croton::LOOK,
+    // From another side than the croton, whose body it shares.
+    view: View { azimuth_deg: 60.0, elevation_deg: 20.0, zoom: 1.02 },
     ..FIRST
 };

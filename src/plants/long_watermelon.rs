@@ -29,15 +29,10 @@ pub(super) const FIRST: Plant = Plant {
 pub const PLANT: Plant = Plant {
     rules: Rules::Second,
     source: "after Thesis, Fig. 4.16",
-    recipe: Recipe {
-        // Fewer light flecks in the stripes, and half the reach: teeth are feathered.
-        initial_probability: [0.97, 0.03, 0.0],
-        radius_scale: 0.5,
-        ..FIRST.recipe
-    },
+    recipe: watermelon::RECIPE,
     look: watermelon::LOOK,
     // The whole flank, level.
-    view: View { azimuth_deg: 345.0, elevation_deg: 12.0, zoom: 1.3 },
+    view: View { azimuth_deg: 345.0, elevation_deg: 12.0, zoom: 1.06 },
     paint: &[watermelon::astray(STRIPES, watermelon::JAGGED)],
     ..FIRST
 };

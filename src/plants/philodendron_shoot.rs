@@ -1,7 +1,7 @@
 //! Philodendron shoot: its leaves have unfolded one after another, and stand at six ages (Thesis,
 //! Fig. 4.10).
 
-use super::{Motion, Plant, Rules, philodendron};
+use super::{Motion, Plant, Rules, View, philodendron};
 use crate::tissue::Recipe;
 
 /// As links of the first rules have it.
@@ -28,5 +28,7 @@ pub const PLANT: Plant = Plant {
     recipe: philodendron::RECIPE,
     look: philodendron::PLANT.look,
     paint: philodendron::PLANT.paint,
+    // Along the shoot, from its oldest leaves to the youngest.
+    view: View { azimuth_deg: 318.0, elevation_deg: 16.0, zoom: 1.1 },
     ..FIRST
 };
