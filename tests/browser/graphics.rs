@@ -125,29 +125,29 @@ const SMALL_DEVICE: &str = "if (window.GPUQueue) {
 
 #[test]
 fn a_plant_that_is_too_large_for_the_graphics_card_leaves_the_others_alone() {
-    let Some(page) = open_after(Graphics::WebGpu, SMALL_DEVICE, "#cactus?v=1&s=2") else { return };
+    let Some(page) = open_after(Graphics::WebGpu, SMALL_DEVICE, "#croton?v=2&s=2") else { return };
     let small = page.ready();
     let rows = page.run("return window.rows");
-    page.choose("croton");
-    let large = page.wait("the croton", |s| s.plant == "croton" && s.state == "ready");
+    page.choose("watermelon");
+    let large = page.wait("the watermelon", |s| s.plant == "watermelon" && s.state == "ready");
     let more = page.run("return window.rows");
-    assert!(more.as_u64() > rows.as_u64(), "{more} rows of the croton, {rows} of the cactus");
+    assert!(more.as_u64() > rows.as_u64(), "{more} rows of the watermelon, {rows} of the croton");
 
-    page.choose("cactus");
-    page.wait("the cactus", |s| *s == small);
-    page.run(&format!("window.most = {rows}"));
     page.choose("croton");
-    page.wait("the croton again", |s| s == &large);
+    page.wait("the croton", |s| *s == small);
+    page.run(&format!("window.most = {rows}"));
+    page.choose("watermelon");
+    page.wait("the watermelon again", |s| s == &large);
     page.wait_for(
         "its poster",
         "const poster = document.getElementById('poster');
          return !document.getElementById('stage').hasAttribute('data-live')
-             && poster.checkVisibility() && poster.src.includes('croton')",
+             && poster.checkVisibility() && poster.src.includes('watermelon')",
     );
     assert!(page.messages().contains("cannot hold so many cells"), "{}", page.messages());
 
-    page.choose("cactus");
-    page.wait("the cactus", |s| *s == small);
+    page.choose("croton");
+    page.wait("the croton", |s| *s == small);
     assert_eq!(small.backend, "webgpu");
     page.wait_for(
         "it to be live",

@@ -311,6 +311,14 @@ impl Page {
         Picture::decode(&self.png("#canvas"))
     }
 
+    /// Whether the page has asked for a file of such a name; the service worker, which keeps all files, does not count.
+    #[track_caller]
+    pub fn has_asked_for(&self, name: &str) -> bool {
+        let script =
+            "return performance.getEntriesByType('resource').some(e => e.name.includes(NAME))";
+        self.run(&script.replace("NAME", &json!(name).to_string())) == true
+    }
+
     /// An element as it is on the screen, as a PNG file.
     #[track_caller]
     pub fn png(&self, css: &str) -> Vec<u8> {

@@ -62,7 +62,7 @@ fn what_is_taken_away_is_what_the_shell_writes_and_opens_again() {
     page.on_day(1);
     let folder = downloads(&page, "taken");
     let file = |end: &str| folder.join(format!("philodendron-4-day-1.{end}"));
-    assert!(!page.server.requested().iter().any(|name| name.contains("studio")));
+    assert!(!page.has_asked_for("studio"), "it is loaded when it is wanted");
     page.click("take-away");
     let shows = "const d = document.getElementById('take-away-dialog'); return !!(d && d.open)";
     page.wait_for("the studio", shows);
