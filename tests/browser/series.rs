@@ -121,7 +121,7 @@ fn the_dialog_makes_steps_and_compares() {
 
 #[test]
 fn two_numbers_make_a_map_that_leads_closer() {
-    let Some(page) = Page::open(Graphics::Neither, "#mushroom?v=1&s=2&d=1&n=300") else { return };
+    let Some(page) = Page::open(Graphics::WebGpu, "#mushroom?v=1&s=2&d=1") else { return };
     page.ready();
     // All pictures have grown, and stand in rows and columns.
     let has_grown =
@@ -152,7 +152,7 @@ fn two_numbers_make_a_map_that_leads_closer() {
          dialog.querySelector('[data-grow=steps]').click()",
     );
     page.wait_for("the map", has_grown);
-    let map = "#steps/mushroom?v=1&s=2&d=1&n=300&pf=0.2,0.3,0.4,0.5,0.6&df=4,6,8,10,12";
+    let map = "#steps/mushroom?v=1&s=2&d=1&pf=0.2,0.3,0.4,0.5,0.6&df=4,6,8,10,12";
     assert_eq!(page.run("return location.hash"), map);
 
     // Five rows of five, the first number across and the second one down.
@@ -194,7 +194,7 @@ fn two_numbers_make_a_map_that_leads_closer() {
     page.run("document.querySelectorAll('#figure-list .picture')[6].click()");
     let state = page.ready();
     assert_eq!(state.plant, "mushroom");
-    assert_eq!(page.link(), "mushroom?v=1&s=2&d=1&n=300&pf=0.3&df=6");
+    assert_eq!(page.link(), "mushroom?v=1&s=2&d=1&pf=0.3&df=6");
     assert_eq!(page.complaints(), [""; 0]);
 }
 

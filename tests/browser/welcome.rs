@@ -19,7 +19,7 @@ fn is_greeted(page: &Page) {
     page.wait("the second day", |s| s.day == "1" && s.state == "growing");
     assert!(greets(page) && plays(page));
     assert!(page.text("welcome").starts_with("Every patch is the family"));
-    assert!(page.link().starts_with("croton?v=1&s=1&d=15"), "{}", page.link());
+    assert!(page.link().starts_with("croton?v=2&s=1&d=8"), "{}", page.link());
 }
 
 #[test]
@@ -29,7 +29,7 @@ fn who_has_never_been_here_sees_the_croton_grow_once() {
     page.press(&[keys::TAB]);
     let state = page.ready();
     assert!(!greets(&page) && !plays(&page));
-    assert_eq!(page.link(), format!("croton?v=1&s=1&d={}", state.day), "it stops where it is");
+    assert_eq!(page.link(), format!("croton?v=2&s=1&d={}", state.day), "it stops where it is");
 
     // Not a second time.
     page.visit("");
