@@ -209,7 +209,7 @@ fn of_version(plant: &'static Plant, words: &[Said], left_out: &mut Vec<String>)
         return plant;
     };
     let newest = plant.rules as u32;
-    let unknown = || format!("this playground reads links up to version {newest}");
+    let unknown = || format!("this plant has links up to version {newest}");
     let known = whole(value).and_then(|version| plant.under(version).ok_or_else(unknown));
     known.unwrap_or_else(|why| {
         leave_out(left_out, &[pair], &why);

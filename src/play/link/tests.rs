@@ -157,8 +157,8 @@ fn links_of_earlier_rules_mean_the_plants_of_then() {
         assert!(!alike.grows_like(&first), "rules are others");
     }
     for (version, why) in [
-        ("3", "this playground reads links up to version 2"),
-        ("0", "this playground reads links up to version 2"),
+        ("3", "this plant has links up to version 2"),
+        ("0", "this plant has links up to version 2"),
         ("x", "it must be a whole number from 0 to 4294967295"),
     ] {
         let told = read(&format!("croton?v={version}"), plants).left_out;
