@@ -39,8 +39,12 @@ pub fn copy_of_template(id: &str) -> HtmlElement {
     copy.and_then(|c| c.dyn_into().ok()).unwrap_or_else(|| panic!("template #{id} is empty"))
 }
 
+/// Writes a text, unless it is there already, be it in another language (`interpreter`).
 pub fn set_text(element: &Element, text: &str) {
-    if element.text_content().as_deref() != Some(text) {
+    let there = element.text_content().unwrap_or_default();
+    let is_said =
+        || element.get_attribute("data-said") == Some([there.as_str(), "\n", text].concat());
+    if there != text && !is_said() {
         element.set_text_content(Some(text));
     }
 }

@@ -46,7 +46,8 @@ impl Messages {
     }
 
     fn add(&self, text: &str, lasts: bool) {
-        if self.list.text_content().is_some_and(|told| holds(&told, text)) {
+        // With what was said in another language.
+        if holds(&self.list.inner_html(), text) {
             return;
         }
         if let Ok(item) = document().create_element("li") {

@@ -25,6 +25,7 @@ mod frames;
 mod gallery;
 #[cfg(feature = "draw")]
 mod host;
+mod interpreter;
 #[cfg(feature = "draw")]
 mod keyboard;
 #[cfg(feature = "draw")]
@@ -60,6 +61,12 @@ mod workshop;
 /// Starts the bundle that chooses among the others.
 pub fn start_boot() {
     boot::boot();
+}
+
+/// Starts what says the page in another language.
+pub fn start_interpreter() {
+    console_error_panic_hook::set_once();
+    interpreter::start();
 }
 
 /// Starts the studio.

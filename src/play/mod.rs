@@ -21,6 +21,7 @@ pub mod offline;
 pub mod outline;
 pub mod page;
 pub mod parameters;
+pub mod phrasebook;
 pub mod pick;
 pub mod playhead;
 pub mod protocol;

@@ -64,7 +64,9 @@ pub fn never_changes(address: &str) -> bool {
 fn address(file: &str) -> String {
     match file {
         "index.html" => PAGE.to_string(),
-        mesh if mesh.starts_with("meshes/") => format!("{mesh}?build={BUILD}"),
+        of_build if ["meshes/", "words/"].iter().any(|folder| of_build.starts_with(folder)) => {
+            format!("{of_build}?build={BUILD}")
+        }
         other => other.to_string(),
     }
 }

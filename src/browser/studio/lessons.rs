@@ -8,7 +8,7 @@ mod sketch;
 
 use super::files::save;
 use super::{picture, presenter, subject, tour, with};
-use crate::browser::address::fragment;
+use crate::browser::address::{fragment, wanted};
 use crate::browser::dom::{
     Listener, document, find, on, set_attribute, set_flag, set_text, window, within,
 };
@@ -28,6 +28,8 @@ const FROM_A_FILE: &str = "file";
 
 pub struct LessonView {
     view: HtmlElement,
+    /// The language that they are in, but for one that was opened from a file.
+    language: String,
     /// Those that were read, by their names, and their texts.
     read: BTreeMap<String, (Rc<Lesson>, String)>,
     answers: BTreeMap<String, Answers>,
@@ -92,8 +94,15 @@ impl LessonView {
         let file: HtmlInputElement = within(&view, ".own input");
         listeners.push(list::watch_file(file));
         grow::watch_page();
+        // `boot` has told the document by then.
+        listeners.push(on(&find::<Element>("language"), "change", |_: Event| {
+            if wanted().starts_with("~lesson") {
+                super::follow();
+            }
+        }));
         LessonView {
             view,
+            language: list::language(),
             read: BTreeMap::new(),
             answers: BTreeMap::new(),
             place: None,
@@ -113,10 +122,20 @@ impl LessonView {
         subject::want(what);
     }
 
+    /// Lessons of another language than the page's are read anew.
+    fn forget_other_languages(&mut self) {
+        if self.language != list::language() {
+            self.language = list::language();
+            self.read.retain(|name, _| name == FROM_A_FILE);
+            self.part::<Element>(".lessons").set_text_content(None);
+        }
+    }
+
     /// Agrees with the address: `chance/2`, or nothing for the list.
     pub fn follow(&mut self, of_it: &str) {
         let root = root();
         set_attribute(&root, "data-view", "lesson");
+        self.forget_other_languages();
         self.view.set_hidden(false);
         let (name, step) = of_it.split_once('/').unwrap_or((of_it, "1"));
         if name.is_empty() {

@@ -9,6 +9,7 @@ use crate::browser::dom::{
 };
 use crate::plants;
 use crate::play::link;
+use crate::play::words::grouped;
 use std::cell::Cell;
 use wasm_bindgen::prelude::*;
 use web_sys::{Element, Event, HtmlElement, KeyboardEvent};
@@ -113,9 +114,11 @@ impl Presenter {
             let told = find::<Element>(id).text_content().unwrap_or_default();
             set_text(&within(&self.view, part), &told);
         }
-        let cells = find::<Element>("fact-cells").text_content().unwrap_or_default();
-        let word = if cells == "1" { "cell" } else { "cells" };
-        set_text(&within(&self.view, ".cells"), &format!("{cells} {word}"));
+        let root = document().document_element().expect("a document has a root");
+        let cells = root.get_attribute("data-cells").and_then(|cells| cells.parse().ok());
+        let cells: u32 = cells.unwrap_or_default();
+        let word = if cells == 1 { "cell" } else { "cells" };
+        set_text(&within(&self.view, ".cells"), &format!("{} {word}", grouped(cells)));
         let plays = find::<Element>("play").has_attribute("data-playing");
         let code: Element = within(&self.view, ".code");
         set_flag(&code, "data-moves", plays);

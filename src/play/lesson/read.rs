@@ -146,7 +146,9 @@ fn sorted(text: &str) -> Result<Vec<Line<'_>>, LessonError> {
 }
 
 fn join(before: &mut String, line: &str) {
-    if !before.is_empty() {
+    // Chinese has no spaces between words.
+    let is_wide = |c: char| c >= '\u{2e80}';
+    if before.chars().next_back().is_some_and(|last| !is_wide(last)) {
         before.push(' ');
     }
     before.push_str(line);

@@ -1,6 +1,7 @@
 use super::*;
 use crate::plants;
 use crate::play::link;
+use crate::play::phrasebook::PHRASEBOOKS;
 use std::path::Path;
 
 const SHORT: &str = "\u{feff}title: A lesson\r\nage: 12\r\nminutes: 5\r\n# nobody's\r\n\r\n[look] Here\r\nlink: \
@@ -140,7 +141,9 @@ fn every_lesson_is_there_and_no_other() {
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     files.sort();
-    let mut names = LESSONS.map(|name| format!("{name}.txt"));
+    // The folders of other languages stand beside them.
+    let names = LESSONS.iter().map(|name| format!("{name}.txt"));
+    let mut names: Vec<String> = names.chain(PHRASEBOOKS.map(String::from)).collect();
     names.sort();
     assert_eq!(files, names);
 }

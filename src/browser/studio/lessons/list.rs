@@ -6,6 +6,7 @@ use crate::browser::files;
 use crate::browser::studio::with;
 use crate::plants;
 use crate::play::lesson::{LESSONS, Lesson};
+use crate::play::phrasebook::PHRASEBOOKS;
 use crate::play::{FIRST_INDIVIDUAL, Scene, link};
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
@@ -16,8 +17,17 @@ pub async fn fetch(name: &str) -> Result<String, String> {
     if !LESSONS.contains(&name) {
         return Err("There is no such lesson here.".to_string());
     }
-    let text = files::read_text(&files::address(&format!("lessons/{name}.txt"))).await;
+    let folder = match language() {
+        language if PHRASEBOOKS.contains(&language.as_str()) => format!("{language}/"),
+        _ => String::new(),
+    };
+    let text = files::read_text(&files::address(&format!("lessons/{folder}{name}.txt"))).await;
     text.map_err(|why| format!("The lesson did not come: {why}."))
+}
+
+/// The language of the page.
+pub fn language() -> String {
+    root().get_attribute("lang").unwrap_or_default()
 }
 
 /// Whether an address shows what the page shows where none is named.

@@ -2,13 +2,16 @@
 //! page never takes answers from a worker of another build out of a cache; and joins the shaders to
 //! one text without comments, margins and long names, which nobody is to download.
 
+mod words;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
 
 fn main() {
     let mut files = Vec::new();
-    for root in ["src", "meshes", "Cargo.lock"] {
+    words::check();
+    for root in ["src", "meshes", "Cargo.lock", "build", "www/index.html", "www/words"] {
         if Path::new(root).exists() {
             println!("cargo::rerun-if-changed={root}");
             list(Path::new(root), &mut files);
