@@ -16,6 +16,9 @@ use std::fmt::Write;
 /// The word for the version of the rules.
 const VERSION: &str = "v";
 
+/// The word for the language of the page, which is no part of what a link shows.
+const LANGUAGE: &str = "lang";
+
 /// The word for the number of the individual.
 pub const INDIVIDUAL: &str = "s";
 
@@ -124,6 +127,9 @@ fn known_words<'a>(query: &'a str, left_out: &mut Vec<String>) -> Vec<Said<'a>> 
     let (mut unknown, mut again) = (Vec::new(), Vec::new());
     for pair in query.split('&').map(without_amp).filter(|p| !p.is_empty()) {
         let (word, value) = pair.split_once('=').unwrap_or((pair, ""));
+        if word == LANGUAGE {
+            continue;
+        }
         if !WORDS.contains(&word) && Parameter::of_key(word).is_none() {
             unknown.push(pair);
         } else if known.iter().any(|said| said.0 == word) {

@@ -4,7 +4,7 @@
 //! with what it is in the other language, so that whatever the page puts together is translated as a whole:
 //! `docs/languages.md` says how one is written.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 /// The languages that there are phrasebooks of, beside the page's own English.
 pub const PHRASEBOOKS: [&str; 3] = ["pt", "es", "zh"];
@@ -21,7 +21,7 @@ pub trait Numbers {
 pub struct Phrasebook<N> {
     phrases: Vec<Phrase>,
     /// Which of them says a text without holes.
-    by_text: HashMap<String, usize>,
+    by_text: BTreeMap<String, usize>,
     numbers: N,
 }
 

@@ -25,6 +25,7 @@ mod icons;
 mod journeys;
 mod keys;
 mod ladder;
+mod languages;
 mod lessons;
 mod light;
 mod losses;

@@ -145,12 +145,10 @@ fn sorted(text: &str) -> Result<Vec<Line<'_>>, LessonError> {
     Ok(lines)
 }
 
+const CHINESE: char = '\u{2e80}'; // which has no spaces between words
 fn join(before: &mut String, line: &str) {
-    // Chinese has no spaces between words.
-    let is_wide = |c: char| c >= '\u{2e80}';
-    if before.chars().next_back().is_some_and(|last| !is_wide(last)) {
-        before.push(' ');
-    }
+    let gap = if before.ends_with(|last: char| last < CHINESE) { " " } else { "" };
+    before.push_str(gap);
     before.push_str(line);
 }
 
