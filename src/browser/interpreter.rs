@@ -8,7 +8,6 @@ use crate::play::phrasebook::{Numbers, PHRASEBOOKS, Phrasebook};
 use crate::play::protocol::BUILD;
 use js_sys::{Array, Intl, Object, Reflect, WeakMap};
 use std::cell::RefCell;
-use std::collections::HashMap;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::spawn_local;
 use web_sys::{
@@ -22,9 +21,6 @@ const ATTRIBUTES: [&str; 6] =
 /// What is no text of the page, or says itself of which language it is.
 const FOREIGN: &str = "script, style, code, textarea, [translate=no], body [lang]";
 
-/// As many texts are remembered.
-const MOST_REMEMBERED: usize = 2000;
-
 thread_local! {
     static INTERPRETER: RefCell<Option<Interpreter>> = const { RefCell::new(None) };
 }
@@ -33,8 +29,6 @@ struct Interpreter {
     language: String,
     /// None in the page's own English.
     book: Option<Phrasebook<Browser>>,
-    /// What was asked of it before.
-    told: RefCell<HashMap<String, Option<String>>>,
     /// What texts were in English, and what they were made, by their nodes.
     texts: WeakMap,
     /// The same of each of the attributes, by their elements.
@@ -66,7 +60,6 @@ pub fn start() {
     INTERPRETER.set(Some(Interpreter {
         language: "en".to_string(),
         book: None,
-        told: RefCell::default(),
         texts: WeakMap::new(),
         attributes: std::array::from_fn(|_| WeakMap::new()),
         observer,
@@ -105,7 +98,6 @@ async fn learn(language: String) {
             return;
         };
         interpreter.book = book;
-        interpreter.told.borrow_mut().clear();
         if let Some(root) = document().document_element() {
             interpreter.tell_all(&root);
             // For who waits for it.
@@ -192,13 +184,8 @@ impl Interpreter {
     }
 
     fn tell(&self, english: &str) -> String {
-        let Some(book) = &self.book else { return english.to_string() };
-        let mut told = self.told.borrow_mut();
-        if told.len() > MOST_REMEMBERED {
-            told.clear();
-        }
-        let known = told.entry(english.to_string()).or_insert_with(|| book.tell(english));
-        known.clone().unwrap_or_else(|| english.to_string())
+        let told = self.book.as_ref().and_then(|book| book.tell(english));
+        told.unwrap_or_else(|| english.to_string())
     }
 }
 

@@ -4,6 +4,7 @@
 //! with what it is in the other language, so that whatever the page puts together is translated as a whole:
 //! `docs/languages.md` says how one is written.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 /// The languages that there are phrasebooks of, beside the page's own English.
@@ -23,7 +24,18 @@ pub struct Phrasebook<N> {
     /// Which of them says a text without holes.
     by_text: BTreeMap<String, usize>,
     numbers: N,
+    /// What was asked before, and parts of it: a text may be taken apart in many ways that share most of theirs.
+    asked: RefCell<BTreeMap<String, Option<String>>>,
 }
+
+/// As many texts are remembered.
+const MOST_REMEMBERED: usize = 4000;
+
+/// Longer texts are nobody's sentence.
+const MOST_BYTES: usize = 2000;
+
+/// What may stand around a text that is glued to another one.
+const GLUE: [char; 5] = [',', ';', ':', '·', ' '];
 
 struct Phrase {
     /// What stands before, between and behind the holes.
@@ -142,20 +154,33 @@ impl<N: Numbers> Phrasebook<N> {
         let whole =
             phrases.iter().enumerate().filter(|(_, phrase)| phrase.takes_numbers.is_empty());
         let by_text = whole.map(|(k, phrase)| (phrase.pieces[0].clone(), k)).collect();
-        Ok(Phrasebook { phrases, by_text, numbers })
+        Ok(Phrasebook { phrases, by_text, numbers, asked: RefCell::default() })
     }
 
     /// A text of the page in the other language; None where the phrasebook has no word of it.
     pub fn tell(&self, english: &str) -> Option<String> {
-        let text = english.trim();
-        let told = self.tell_trimmed(text)?;
-        Some(english.replacen(text, &told, 1))
+        let bare = english.trim().trim_matches(GLUE);
+        if bare.is_empty() || english.len() > MOST_BYTES {
+            return None;
+        }
+        let told = self.remembered(bare)?;
+        Some(english.replacen(bare, &told, 1))
+    }
+
+    fn remembered(&self, text: &str) -> Option<String> {
+        if let Some(told) = self.asked.borrow().get(text) {
+            return told.clone();
+        }
+        let told = self.tell_trimmed(text);
+        let mut asked = self.asked.borrow_mut();
+        if asked.len() >= MOST_REMEMBERED {
+            asked.clear();
+        }
+        asked.insert(text.to_string(), told.clone());
+        told
     }
 
     fn tell_trimmed(&self, text: &str) -> Option<String> {
-        if text.is_empty() {
-            return None;
-        }
         self.known(text).or_else(|| self.number(text)).or_else(|| self.filled(text, 1)).or_else(
             || {
                 // A sentence that others follow was cut off before its end.
@@ -189,6 +214,10 @@ impl<N: Numbers> Phrasebook<N> {
         let long = self.phrases.iter().take_while(|phrase| phrase.length() >= least_length);
         long.filter(|phrase| !phrase.takes_numbers.is_empty()).find_map(|phrase| {
             let holes = phrase.holes(text)?;
+            // What runs over the end of a sentence is no part of another.
+            if !phrase.is_punctuation() && holes.iter().any(|hole| has_end(hole)) {
+                return None;
+            }
             let told: Vec<Option<String>> = holes.iter().map(|hole| self.tell(hole)).collect();
             // What joins nothing that is known may as well be somebody's own text.
             let is_known = |(hole, told): (&&str, &Option<String>)| {
@@ -217,6 +246,12 @@ impl<N: Numbers> Phrasebook<N> {
         let last = &phrase.told[phrase.told.len() - 1];
         &of(&category).or_else(|| of("other")).unwrap_or(last).1
     }
+}
+
+/// Whether a sentence, or a part of one that could be one, ends within a text.
+fn has_end(text: &str) -> bool {
+    let mut ends = text.match_indices(". ").filter(|&(at, _)| !text[..at].ends_with("Fig"));
+    ends.next().is_some() || text.contains("; ")
 }
 
 /// A text with another first letter; None where it stays as it is.

@@ -70,7 +70,12 @@ fn what_is_put_together_is_told_as_a_whole() {
         told("31,402 cells, yellow. Each is a first cell.").as_deref(),
         Some("31.402 células, amarela. Cada uma é uma célula inicial.")
     );
+    assert_eq!(told(", 31,402 cells").as_deref(), Some(", 31.402 células"), "glued to another");
     assert_eq!(told("Each is a first cell").as_deref(), Some("Cada uma é uma célula inicial"));
+    assert_eq!(
+        told("Day 5 is growing. Copy link.").as_deref(),
+        Some("O dia 5 está crescendo. Copiar link.")
+    );
     assert_eq!(told("Day 5 is growing.").as_deref(), Some("O dia 5 está crescendo."));
 }
 
@@ -97,6 +102,14 @@ fn what_is_somebodys_own_stays() {
     }
     // A name that is unknown stands as it is in what is known.
     assert_eq!(book.tell("Fern, individual 7, day 1").as_deref(), Some("Fern, dia 1, indivíduo 7"));
+}
+
+/// A text that may be taken apart in many ways takes no longer for it.
+#[test]
+fn long_lists_are_soon_told() {
+    let list = vec!["yellow, a. b of c"; 60].join(", ");
+    let told = book().tell(&list).expect("some of it is known");
+    assert_eq!(told.matches("amarela").count(), 60);
 }
 
 #[test]
