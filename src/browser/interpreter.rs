@@ -19,7 +19,7 @@ const ATTRIBUTES: [&str; 6] =
     ["aria-label", "title", "placeholder", "alt", "aria-valuetext", "aria-roledescription"];
 
 /// What is no text of the page, or says itself of which language it is.
-const FOREIGN: &str = "script, style, code, textarea, [translate=no], body [lang]";
+const FOREIGN: &str = "script, style, noscript, code, textarea, [translate=no], body [lang]";
 
 thread_local! {
     static INTERPRETER: RefCell<Option<Interpreter>> = const { RefCell::new(None) };

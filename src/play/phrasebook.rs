@@ -34,29 +34,46 @@ const MOST_REMEMBERED: usize = 4000;
 /// Longer texts are nobody's sentence.
 const MOST_BYTES: usize = 2000;
 
+/// A phrase of fewer bytes says one thing here and another one elsewhere: `{} of {}`.
+const SURE_BYTES: usize = 12;
+
 /// What may stand around a text that is glued to another one.
 const GLUE: [char; 5] = [',', ';', ':', '·', ' '];
 
 struct Phrase {
     /// What stands before, between and behind the holes.
     pieces: Vec<String>,
-    /// Whether each hole is for a number alone.
-    takes_numbers: Vec<bool>,
+    holes: Vec<Hole>,
     /// What it is in the other language; where there are several, by the plural category of the first hole.
     told: Vec<(Option<String>, String)>,
+}
+
+/// What a hole is for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Hole {
+    /// `{}`: whatever is there, which is told by itself.
+    Any,
+    /// `{n}`: a number alone.
+    Number,
+    /// `{v}`: what stays as it is, as the number of a figure.
+    AsItIs,
 }
 
 impl Phrase {
     fn new(english: &str) -> Phrase {
         let mut parts = english.split('{');
         let mut pieces = vec![parts.next().unwrap_or_default().to_string()];
-        let mut takes_numbers = Vec::new();
+        let mut holes = Vec::new();
         for part in parts {
             let (hole, after) = part.split_once('}').unwrap_or(("", part));
-            takes_numbers.push(hole == "n");
+            holes.push(match hole {
+                "n" => Hole::Number,
+                "v" => Hole::AsItIs,
+                _ => Hole::Any,
+            });
             pieces.push(after.to_string());
         }
-        Phrase { pieces, takes_numbers, told: Vec::new() }
+        Phrase { pieces, holes, told: Vec::new() }
     }
 
     /// How many characters of it are not holes: the more there are, the surer it is what is meant.
@@ -70,7 +87,7 @@ impl Phrase {
     }
 
     /// What stands in its holes in a text, the shortest first; None where it does not say the text.
-    fn holes<'t>(&self, text: &'t str) -> Option<Vec<&'t str>> {
+    fn fillings<'t>(&self, text: &'t str) -> Option<Vec<&'t str>> {
         let mut holes = Vec::new();
         let rest = text.strip_prefix(self.pieces[0].as_str())?;
         self.fill(rest, &mut holes).then_some(holes)
@@ -79,9 +96,9 @@ impl Phrase {
     fn fill<'t>(&self, text: &'t str, holes: &mut Vec<&'t str>) -> bool {
         let hole = holes.len();
         let Some(piece) = self.pieces.get(hole + 1) else { return text.is_empty() };
-        let fits = |filling: &str| match self.takes_numbers[hole] {
-            true => Number::read(filling).is_some(),
-            false => !filling.is_empty(),
+        let fits = |filling: &str| match self.holes[hole] {
+            Hole::Number => Number::read(filling).is_some(),
+            Hole::Any | Hole::AsItIs => !filling.is_empty(),
         };
         if hole + 2 == self.pieces.len() {
             let filling = text.strip_suffix(piece.as_str()).filter(|filling| fits(filling));
@@ -150,16 +167,17 @@ impl<N: Numbers> Phrasebook<N> {
             return Err(bad + 1);
         }
         // In the order in which they are tried.
-        phrases.sort_by_key(|phrase| std::cmp::Reverse(phrase.length()));
-        let whole =
-            phrases.iter().enumerate().filter(|(_, phrase)| phrase.takes_numbers.is_empty());
+        let of_numbers =
+            |phrase: &Phrase| phrase.holes.iter().filter(|&&hole| hole == Hole::Number).count();
+        phrases.sort_by_key(|phrase| std::cmp::Reverse((phrase.length(), of_numbers(phrase))));
+        let whole = phrases.iter().enumerate().filter(|(_, phrase)| phrase.holes.is_empty());
         let by_text = whole.map(|(k, phrase)| (phrase.pieces[0].clone(), k)).collect();
         Ok(Phrasebook { phrases, by_text, numbers, asked: RefCell::default() })
     }
 
     /// A text of the page in the other language; None where the phrasebook has no word of it.
     pub fn tell(&self, english: &str) -> Option<String> {
-        let bare = english.trim().trim_matches(GLUE);
+        let bare = english.trim().trim_matches(GLUE).trim_start_matches(['.', ' ']);
         if bare.is_empty() || english.len() > MOST_BYTES {
             return None;
         }
@@ -181,25 +199,14 @@ impl<N: Numbers> Phrasebook<N> {
     }
 
     fn tell_trimmed(&self, text: &str) -> Option<String> {
-        self.known(text).or_else(|| self.number(text)).or_else(|| self.filled(text, 1)).or_else(
-            || {
-                // A sentence that others follow was cut off before its end.
-                if text.ends_with(['.', '…', '?', '!']) {
-                    return None;
-                }
-                let whole = format!("{text}.");
-                let told = self.known(&whole).or_else(|| self.filled(&whole, 2))?;
-                Some(told.trim_end_matches(['.', '。']).to_string())
-            },
-        )
+        self.known(text).or_else(|| self.number(text)).or_else(|| self.filled(text))
     }
 
-    /// A text without holes, at the start of a sentence or within it.
+    /// A text without holes, as it stands or as it would within or at the end of a sentence.
     fn known(&self, text: &str) -> Option<String> {
-        let told = |text: &str| Some(self.phrases[*self.by_text.get(text)?].told[0].1.clone());
-        told(text).or_else(|| {
-            let lower = with_first(text, |c| c.to_lowercase().collect())?;
-            with_first(&told(&lower)?, |c| c.to_uppercase().collect())
+        Said::ways(text).into_iter().find_map(|said| {
+            let &phrase = self.by_text.get(&said.text)?;
+            Some(said.back(&self.phrases[phrase].told[0].1))
         })
     }
 
@@ -209,29 +216,38 @@ impl<N: Numbers> Phrasebook<N> {
         Some(self.numbers.written(value, decimals, grouped) + &text[digits.len()..])
     }
 
-    /// A text by the first phrase with holes that says it and is so long at least.
-    fn filled(&self, text: &str, least_length: usize) -> Option<String> {
-        let long = self.phrases.iter().take_while(|phrase| phrase.length() >= least_length);
-        long.filter(|phrase| !phrase.takes_numbers.is_empty()).find_map(|phrase| {
-            let holes = phrase.holes(text)?;
+    /// A text by the first phrase with holes that says it.
+    fn filled(&self, text: &str) -> Option<String> {
+        let ways = Said::ways(text);
+        let mut with_holes = self.phrases.iter().filter(|phrase| !phrase.holes.is_empty());
+        with_holes.find_map(|phrase| {
+            let ways = if phrase.is_punctuation() { &ways[..1] } else { &ways };
+            let (said, holes) =
+                ways.iter().find_map(|way| Some((way, phrase.fillings(&way.text)?)))?;
             // What runs over the end of a sentence is no part of another.
             if !phrase.is_punctuation() && holes.iter().any(|hole| has_end(hole)) {
                 return None;
             }
-            let told: Vec<Option<String>> = holes.iter().map(|hole| self.tell(hole)).collect();
-            // What joins nothing that is known may as well be somebody's own text.
-            let is_known = |(hole, told): (&&str, &Option<String>)| {
-                told.is_some() && Number::read(hole).is_none()
-            };
-            if phrase.is_punctuation() && !holes.iter().zip(&told).any(is_known) {
-                return None;
-            }
-            let fillings: Vec<String> = told
-                .into_iter()
-                .zip(&holes)
-                .map(|(told, hole)| told.unwrap_or_else(|| hole.to_string()))
+            let told: Vec<Option<String>> = holes
+                .iter()
+                .zip(&phrase.holes)
+                .map(|(filling, hole)| match hole {
+                    Hole::AsItIs => Some(filling.to_string()),
+                    Hole::Any | Hole::Number => self.tell(filling),
+                })
                 .collect();
-            Some(fill(self.form(phrase, &holes), &fillings))
+            // What joins nothing that is known may as well be somebody's own text.
+            let mut known = told.iter().zip(&holes).filter(|(told, _)| told.is_some());
+            let is_ours = match phrase.is_punctuation() {
+                true => known.any(|(_, hole)| Number::read(hole).is_none()),
+                false => phrase.length() >= SURE_BYTES || known.next().is_some(),
+            };
+            let fillings: Vec<String> = told
+                .iter()
+                .zip(&holes)
+                .map(|(told, hole)| told.clone().unwrap_or_else(|| hole.to_string()))
+                .collect();
+            is_ours.then(|| said.back(&fill(self.form(phrase, &holes), &fillings)))
         })
     }
 
@@ -245,6 +261,40 @@ impl<N: Numbers> Phrasebook<N> {
         let of = |wanted: &str| phrase.told.iter().find(|(c, _)| c.as_deref() == Some(wanted));
         let last = &phrase.told[phrase.told.len() - 1];
         &of(&category).or_else(|| of("other")).unwrap_or(last).1
+    }
+}
+
+/// A text as a phrasebook may have it: parts of what is put together lose the full stop at their end, and
+/// sentences have a large letter at their start.
+struct Said {
+    text: String,
+    without_stop: bool,
+    in_capitals: bool,
+}
+
+impl Said {
+    fn ways(text: &str) -> Vec<Said> {
+        let as_it_is = Said { text: text.to_string(), without_stop: false, in_capitals: false };
+        let mut ways = vec![as_it_is];
+        if !text.ends_with(['.', '…', '?', '!']) {
+            ways.push(Said { text: format!("{text}."), without_stop: true, in_capitals: false });
+        }
+        let lower: Vec<Said> = ways
+            .iter()
+            .filter_map(|way| {
+                let text = with_first(&way.text, |c| c.to_lowercase().collect())?;
+                Some(Said { text, without_stop: way.without_stop, in_capitals: true })
+            })
+            .collect();
+        ways.extend(lower);
+        ways
+    }
+
+    /// What was told of it, as the text was.
+    fn back(&self, told: &str) -> String {
+        let told = if self.without_stop { told.trim_end_matches(['.', '。']) } else { told };
+        let in_capitals = with_first(told, |c| c.to_uppercase().collect());
+        in_capitals.filter(|_| self.in_capitals).unwrap_or_else(|| told.to_string())
     }
 }
 

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 /// Opens what has texts, one after the other, and gives all that stands in the document then: texts and what is
 /// read of attributes, but for what says itself that it is no text of the page.
 const TEXTS: &str = "
-    const foreign = 'script, style, code, textarea, kbd, output, [translate=no], body [lang], #plants .name';
+    const foreign = 'script, style, noscript, code, textarea, kbd, [translate=no], body [lang], [hidden]';
     const texts = [];
     const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT | NodeFilter.SHOW_ELEMENT);
     for (let node = walk.nextNode(); node; node = walk.nextNode()) {

@@ -43,6 +43,10 @@ Croton
 \t{}.
 Each is a first cell.
 \tCada uma é uma célula inicial.
+{} of {}
+\t{} de {}
+Thesis, Fig. {v}
+\tDissertação, Fig. {}
 Day {} is growing
 \tO dia {} está crescendo
 ";
@@ -70,6 +74,8 @@ fn what_is_put_together_is_told_as_a_whole() {
         told("31,402 cells, yellow. Each is a first cell.").as_deref(),
         Some("31.402 células, amarela. Cada uma é uma célula inicial.")
     );
+    assert_eq!(told("Thesis, Fig. 4.14").as_deref(), Some("Dissertação, Fig. 4.14"));
+    assert_eq!(told("The kings of France and Navarre"), None, "not by a word as short as this");
     assert_eq!(told(", 31,402 cells").as_deref(), Some(", 31.402 células"), "glued to another");
     assert_eq!(told("Each is a first cell").as_deref(), Some("Cada uma é uma célula inicial"));
     assert_eq!(
@@ -134,7 +140,7 @@ fn phrasebooks_are_whole() {
         let book = book.unwrap_or_else(|line| panic!("{language}: phrase {line}"));
         assert!(book.phrases.len() > 900, "{language}");
         for phrase in &book.phrases {
-            let holes = phrase.takes_numbers.len();
+            let holes = phrase.holes.len();
             for (category, told) in &phrase.told {
                 let places: Vec<&str> = told
                     .split('{')
