@@ -38,7 +38,7 @@ pub(super) const FIRST: Plant = Plant {
         variation: 0.1,
         border: 0.14,
         gloss: 0.15,
-        skin: Skin::LEAF,
+        skin: Skin { through: 0.6, ..Skin::LEAF },
         veins: false,
         bare: &[
             ("petiole", [0.45, 0.42, 0.25], 0.2),

@@ -32,7 +32,7 @@ pub const PLANT: Plant = Plant {
     recipe: watermelon::RECIPE,
     look: watermelon::LOOK,
     // The whole flank, level.
-    view: View { azimuth_deg: 345.0, elevation_deg: 12.0, zoom: 1.06 },
+    view: View { azimuth_deg: 345.0, elevation_deg: 12.0, zoom: 0.95 },
     paint: &[watermelon::astray(STRIPES, watermelon::JAGGED)],
     ..FIRST
 };

@@ -33,11 +33,11 @@ pub const PLANT: Plant = Plant {
     first_day: 20,
     look: Look {
         cells: [[0.95, 0.77, 0.82], [0.97, 0.91, 0.9], [0.9, 0.7, 0.8]],
-        tinted: &[(Background, [0.91, 0.56, 0.69]), (Foreground, [0.85, 0.4, 0.57])],
+        tinted: &[(Background, [0.93, 0.6, 0.79]), (Foreground, [0.86, 0.42, 0.68])],
         variation: 0.05,
         border: 0.06,
         gloss: 0.15,
-        skin: Skin { through: 0.8, ..Skin::LEAF },
+        skin: Skin { through: 0.4, ..Skin::LEAF },
         veins: false,
         bare: &[
             ("filament", [0.95, 0.88, 0.6], 0.0),
