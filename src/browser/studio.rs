@@ -4,6 +4,7 @@
 
 mod atlas;
 mod bring_in;
+mod brushes;
 mod charts;
 mod class;
 mod darkroom;
