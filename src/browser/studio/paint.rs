@@ -138,14 +138,8 @@ impl Paint {
         if self.drawing.is_none() && root.get_attribute("data-state").as_deref() == Some("ready") {
             self.sheet.set_text_content(None);
         }
-        let base = painted::now().base;
-        if let Some(skin) = &self.skin {
-            if std::ptr::eq(skin.base, base) || skin.base == base {
-                self.agree()
-            } else {
-                self.close()
-            }
-        }
+        let Some(skin) = &self.skin else { return };
+        if painted::now().base == skin.base { self.agree() } else { self.close() }
     }
 
     fn press(&mut self, event: &PointerEvent) {
