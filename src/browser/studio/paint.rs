@@ -209,7 +209,7 @@ impl Paint {
 
     /// The colour in which a brush draws: that of its type, or ink.
     fn colour(&self, brush: Brush) -> String {
-        let look = subject::scene().look;
+        let look = subject::wished().look;
         let [r, g, b] = match brush {
             Brush::Put(kind) | Brush::Only(kind) => look.cells[kind as usize],
             Brush::Erase | Brush::Never(_) => [1.0; 3],

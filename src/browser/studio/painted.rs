@@ -46,7 +46,7 @@ impl Known {
 
 /// The strokes of the plant that the page shows, and the one below them; of any other plant none yet.
 pub fn now() -> Painted {
-    let scene = subject::scene();
+    let scene = subject::wished();
     let of_address = Painted::read(&wanted()).and_then(Result::ok);
     match of_address.filter(|_| scene.plant.key.starts_with(OWN)) {
         Some(painted) => painted,
@@ -59,7 +59,7 @@ pub fn now() -> Painted {
 /// # Errors
 /// In plain words, why it cannot be.
 pub fn show(painted: &Painted, obj: &str) -> Result<(), String> {
-    let scene = subject::scene();
+    let scene = subject::wished();
     let Some(last) = painted.strokes.last() else {
         subject::go_to(&link::write(&on(painted.base, &scene, false)));
         return Ok(());

@@ -43,7 +43,7 @@ impl Skin {
     }
 
     pub fn seen(&self) -> Seen {
-        let scene = subject::scene();
+        let scene = subject::wished();
         Seen {
             body: self.body.on(scene.day).into_owned(),
             sphere: self.sphere,
