@@ -43,8 +43,8 @@ struct Drawing {
 
 impl Paint {
     pub fn new() -> Paint {
-        let body = document().body().expect("a page has a body");
-        let _ = body.insert_adjacent_html("beforeend", include_str!("paint.html"));
+        let panel: Element = find("panel");
+        let _ = panel.insert_adjacent_html("afterend", include_str!("paint.html"));
         let stage: HtmlElement = find("stage");
         let svg = document().create_element_ns(Some("http://www.w3.org/2000/svg"), "svg");
         let sheet = svg.expect("a page may have drawings");
@@ -124,7 +124,7 @@ impl Paint {
         set_flag(&self.part::<Element>(".how-much"), "hidden", !is_scale);
         set_flag(&self.part::<Element>(".of-radius"), "hidden", self.way() == "p");
         if is_open {
-            let told = format!("{} cm", self.radius() as f32 * 0.001);
+            let told = format!("{} cm", f64::from(self.radius()) / 1000.0);
             set_text(&self.part::<Element>(".radius-told"), &told);
             let none = painted::now().strokes.is_empty();
             set_flag(&self.part::<Element>(".undo"), "disabled", none);
