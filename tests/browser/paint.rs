@@ -23,15 +23,21 @@ fn natively(address: &str) -> String {
     growth.diary.fingerprint(scene.day as usize)
 }
 
-/// Draws across the middle of the stage, so many pixels to each side; whether it is seen before the hand is lifted.
+/// Draws across the middle of the stage, up to so many pixels to each side, from where the plant begins; whether it is
+/// seen before the hand is lifted.
 fn draw(page: &Page, half_px: i32) -> bool {
     let seen = page.run(&format!(
         "const sheet = document.querySelector('.painting'), box = sheet.getBoundingClientRect();
          const send = (kind, x) => sheet.dispatchEvent(new PointerEvent(kind, {{
              clientX: box.left + box.width / 2 + x, clientY: box.top + box.height / 2,
              button: 0, isPrimary: true, pointerId: 1, bubbles: true, cancelable: true}}));
-         send('pointerdown', -{half_px});
-         for (let x = -{half_px}; x <= {half_px}; x += 8) send('pointermove', x);
+         let x = -{half_px};
+         for (; x <= {half_px}; x += 8) {{
+             send('pointerdown', x);
+             if (sheet.querySelector('polyline')) break;
+             send('pointercancel', x);
+         }}
+         for (; x <= {half_px}; x += 8) send('pointermove', x);
          const seen = sheet.querySelectorAll('polyline').length > 0;
          send('pointerup', {half_px});
          return seen"

@@ -120,7 +120,7 @@ fn an_eraser_takes_away_what_it_meets() {
     let place = nearest(&mesh, Vec3::new(0.0, 20.0, 40.0));
     let ring = stroke(Brush::Put(CellType::Foreground), Way::Around, 1000, &[place]);
     let eraser = stroke(Brush::Erase, Way::Free, 2000, &[place]);
-    let whole = Layer::of(&[ring.clone()], &mesh).unwrap();
+    let whole = Layer::of(std::slice::from_ref(&ring), &mesh).unwrap();
     let cut = Layer::of(&[ring, eraser], &mesh).unwrap();
     let at = mesh.point(Spot::of(place).place());
     let nearest_cm = |layers: &[Layer]| {
