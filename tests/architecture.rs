@@ -16,7 +16,10 @@ const ROOMS: [(&str, &[&str]); 11] = [
     ("import", &["surface", "tissue", "plants", "play"]),
     ("draw", &["surface", "mosaic", "plants"]),
     ("browser", &["surface", "tissue", "mosaic", "plants", "play", "export", "import", "draw"]),
-    ("bin", &["surface", "shapes", "tissue", "mosaic", "plants", "play", "export", "browser"]),
+    (
+        "bin",
+        &["surface", "shapes", "tissue", "mosaic", "plants", "play", "export", "import", "browser"],
+    ),
 ];
 
 /// The rooms whose results must be the same bits on every machine.

@@ -4,6 +4,7 @@
 
 mod atlas;
 mod bring_in;
+mod brushes;
 mod charts;
 mod class;
 mod darkroom;
@@ -12,12 +13,15 @@ mod fit;
 mod leaflet;
 mod lessons;
 mod own;
+mod paint;
+mod painted;
 mod picture;
 mod pictures;
 mod presenter;
 mod pupils;
 mod series;
 mod simple;
+mod skin;
 mod sound;
 mod subject;
 mod take_away;
@@ -33,6 +37,8 @@ use charts::ChartView;
 use class::ClassDialog;
 use fit::FitView;
 use lessons::LessonView;
+use paint::Paint;
+use painted::Known;
 use presenter::Presenter;
 use pupils::Pupils;
 use series::Series;
@@ -66,6 +72,8 @@ struct Studio {
     lessons: LessonView,
     sound: Sound,
     tour: Tour,
+    paint: Paint,
+    painted: Known,
 }
 
 /// Puts the studio into the page, and opens what was wanted when it was loaded.
@@ -73,6 +81,7 @@ pub fn start() {
     wear(include_str!("studio/studio.css"));
     wear(include_str!("studio/class.css"));
     wear(include_str!("studio/lessons.css"));
+    wear(include_str!("studio/paint.css"));
     let body = document().body().expect("a page has a body");
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/bring_in.html"));
@@ -98,6 +107,8 @@ pub fn start() {
         lessons: LessonView::new(),
         sound: Sound::new(),
         tour: Tour::new(),
+        paint: Paint::new(),
+        painted: Known::default(),
     }));
     // They are there as long as the page is.
     std::mem::forget(on(&find::<Element>("studio"), "click", |event: Event| {
@@ -114,6 +125,15 @@ pub fn start() {
     files::take_what_is_dropped();
     leaflet::print_code();
     pictures::listen();
+    subject::on_change(|| {
+        // What hears of a new address may not all have heard yet.
+        presenter::after(0, || {
+            with(|studio| {
+                studio.painted.mend();
+                studio.paint.follow();
+            });
+        });
+    });
     let root = document().document_element().expect("a document has a root");
     if let Some(wanted) = root.get_attribute("data-studio") {
         open(&wanted);
@@ -139,6 +159,7 @@ fn open(door: &str) {
         "charts" => studio.charts.toggle(),
         "series" => studio.series.open(),
         "fit" => studio.fit.open(),
+        "paint" => studio.paint.open(),
         "class" => studio.class.open(),
         "lessons" => studio.lessons.open(),
         "tour" => presenter::after(0, tour::open),
@@ -152,7 +173,9 @@ fn follow_own() {
     let root = document().document_element().expect("a document has a root");
     if let Some(asked) = root.get_attribute("data-own") {
         let _ = root.remove_attribute("data-own");
-        own::make_what_was_kept(asked);
+        if !painted::make(&asked) {
+            own::make_what_was_kept(asked);
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 //! the colours of a plant.
 
 mod own;
+mod painted;
 mod palette;
 mod photo;
 
@@ -10,6 +11,9 @@ use crate::play::{FIRST_INDIVIDUAL, Scene, link};
 use crate::surface::quoted;
 use crate::tissue::Recipe;
 pub use own::{Own, of_document, of_mesh};
+pub use painted::{
+    Brush, MOST_RADIUS, PAINTED, Painted, Spot, Stroke, Way, lines_of, nearest, painted_of_link,
+};
 pub use palette::{Palette, Part, Photo, palette};
 pub use photo::{coloured, matched, patterned, types};
 use serde_json::Value;

@@ -42,13 +42,18 @@ pub enum Growths {
 impl Shape {
     /// The body, grown from the text of its mesh file.
     pub fn grow(&self, obj: &str) -> Result<Body, BodyError> {
-        let mut mesh = PolygonMesh::parse(obj)?.refined_by(&|group| self.levels_of(group));
+        let mut mesh = self.refined(obj)?;
         match self.growths {
             Growths::Nothing => {}
             Growths::Spines => spikes::raise_spines(&mut mesh),
             Growths::Moss => spikes::grow_moss(&mut mesh),
         }
         Ok(Body::new(&mesh)?)
+    }
+
+    /// The mesh of its file as fine as it is to be, before anything grows on it.
+    pub fn refined(&self, obj: &str) -> Result<PolygonMesh, BodyError> {
+        Ok(PolygonMesh::parse(obj)?.refined_by(&|group| self.levels_of(group)))
     }
 
     fn levels_of(&self, group: &Group) -> u32 {

@@ -48,5 +48,5 @@ pub use quote::{filled, holds, quoted};
 pub use shortest::{Shortest, limited, rounded};
 pub use sphere::icosphere;
 pub use torus::flat_torus;
-pub use veins::{AlongVeins, Veins};
+pub use veins::{AlongVeins, STROKES, Veins};
 pub use walk::{Step, walk};

@@ -14,13 +14,22 @@ pub struct Veins {
     ends: Vec<u32>,
 }
 
-/// A straight piece of a vein in space.
+/// A straight piece of a vein in space, or of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// 1 for a midrib, 2 for a vein that leaves it, and so on.
+    /// 1 for a midrib, 2 for a vein that leaves it, and so on; for strokes see `STROKES`.
     pub order: u32,
     pub ends: [Vec3; 2],
 }
+
+/// From this order on lines are no veins but strokes of a brush. `STROKES` times the number of a layer, from 1 on, is
+/// the order of the whole layer, and what a line has more is the radius of the brush in thousandths of a centimetre;
+/// none stands for the whole part that it lies on. A layer counts without the veins and the layers below it, its
+/// distances are in radii, and it reaches no skin but that which it lies on: neither other parts nor the other side
+/// of what is thin.
+pub const STROKES: u32 = 100_000;
+/// Beyond so many radii no stroke is looked for.
+const STROKE_REACH: f32 = 2.0;
 
 /// How an image lies by the distance from veins.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -40,6 +49,31 @@ impl Piece {
         let share = way.dot(along) / along.length_squared().max(f32::MIN_POSITIVE);
         (way - along * share.clamp(0.0, 1.0)).length()
     }
+
+    /// What distances are measured in: centimetres for veins.
+    fn unit_cm(&self) -> f32 {
+        match self.order % STROKES {
+            _ if self.order < STROKES => 1.0,
+            0 => f32::INFINITY,
+            thousandths => thousandths as f32 * 0.001,
+        }
+    }
+
+    /// The triangle of which its middle is nearest, if it is of a stroke.
+    fn skin(&self, mesh: &Mesh) -> u32 {
+        let middle = (self.ends[0] + self.ends[1]) * 0.5;
+        let distance = |t: &u32| mesh.centroid(*t).distance_squared(middle);
+        let all = 0..if self.order < STROKES { 0 } else { mesh.triangles.len() as u32 };
+        all.min_by(|s, t| distance(s).total_cmp(&distance(t))).unwrap_or(0)
+    }
+
+    /// Whether it is one of those that an order asks for.
+    fn counts(&self, order: u32) -> bool {
+        match order {
+            ..STROKES => self.order <= order,
+            _ => self.order / STROKES == order / STROKES,
+        }
+    }
 }
 
 impl Veins {
@@ -50,17 +84,31 @@ impl Veins {
         }
         let all: Vec<u32> = (0..veins.pieces.len() as u32).collect();
         let triangles: Vec<u32> = (0..mesh.triangles.len() as u32).collect();
+        let skins: Vec<u32> = veins.pieces.iter().map(|piece| piece.skin(mesh)).collect();
         // Triangles that follow each other mostly lie side by side.
         for block in triangles.chunks(64) {
             let corners: Vec<Vec3> = block.iter().flat_map(|&t| mesh.corners(t)).collect();
             let of_block = veins.close_to(&corners, &all);
             for &triangle in block {
-                let near = veins.close_to(&mesh.corners(triangle), &of_block);
+                let mut near = veins.close_to(&mesh.corners(triangle), &of_block);
+                near.retain(|&k| veins.is_of(mesh, k as usize, skins[k as usize], triangle));
                 veins.near.extend(near);
                 veins.ends.push(veins.near.len() as u32);
             }
         }
         veins
+    }
+
+    /// Whether a triangle, which is near, is of the skin that a piece lies on, given by the triangle below it.
+    fn is_of(&self, mesh: &Mesh, piece: usize, skin: u32, triangle: u32) -> bool {
+        let Piece { order, .. } = self.pieces[piece];
+        let normal = |of: u32| {
+            let [a, b, c] = mesh.corners(of);
+            (b - a).cross(c - a)
+        };
+        order < STROKES
+            || mesh.parts[skin as usize] == mesh.parts[triangle as usize]
+                && (order % STROKES == 0 || normal(skin).dot(normal(triangle)) > 0.0)
     }
 
     /// Those of some pieces that may be nearest, of all up to some order, to a place between corners. A place
@@ -80,6 +128,9 @@ impl Veins {
         for &(k, order, distance) in &pieces {
             let known = farthest.iter().find(|(of, _)| *of == order).map(|(_, cm)| *cm);
             let farthest_cm = known.unwrap_or_else(|| {
+                if order >= STROKES {
+                    return STROKE_REACH * self.pieces[k as usize].unit_cm() + 1.001 * radius;
+                }
                 let up_to = pieces.iter().filter(|piece| piece.1 <= order);
                 let nearest = up_to.fold(f32::INFINITY, |least, piece| least.min(piece.2));
                 farthest.push((order, nearest + 2.001 * radius));
@@ -93,11 +144,11 @@ impl Veins {
     }
 
     /// How far a place lies from the nearest vein up to an order, straight through space; infinitely far
-    /// where there is none.
+    /// where there is none. From the strokes of a layer in radii, and infinitely far beyond `STROKE_REACH`.
     pub fn distance_cm(&self, mesh: &Mesh, place: Place, order: u32) -> f32 {
         let point = mesh.point(place);
         let of = self.near(place.triangle, order);
-        of.fold(f32::INFINITY, |least, piece| least.min(piece.distance_cm(point)))
+        of.fold(f32::INFINITY, |least, piece| least.min(piece.distance_cm(point) / piece.unit_cm()))
     }
 
     /// The way, in space, of the piece up to an order that is nearest to a place; the first of several.
@@ -135,12 +186,12 @@ impl Veins {
         let end = self.ends.get(triangle as usize).copied().unwrap_or(0);
         let start = triangle.checked_sub(1).and_then(|t| self.ends.get(t as usize).copied());
         let pieces = self.near[start.unwrap_or(0).min(end) as usize..end as usize].iter();
-        pieces.map(|&k| &self.pieces[k as usize]).filter(move |piece| piece.order <= order)
+        pieces.map(|&k| &self.pieces[k as usize]).filter(move |piece| piece.counts(order))
     }
 
     /// Whether there is a vein up to an order.
     pub fn any(&self, order: u32) -> bool {
-        self.pieces.iter().any(|piece| piece.order <= order)
+        self.pieces.iter().any(|piece| piece.counts(order))
     }
 }
 

@@ -33,6 +33,7 @@ mod measure;
 mod offline;
 mod one_file;
 mod page;
+mod paint;
 mod paper;
 mod pixels;
 mod policy;

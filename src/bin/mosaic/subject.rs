@@ -3,6 +3,7 @@
 use super::Refusal;
 use super::options::{FIRST_PLANT, GrowOptions, Source};
 use super::output::cannot;
+use clonal_mosaic::import::painted_of_link;
 use clonal_mosaic::plants::{self, Plant};
 use clonal_mosaic::play::{FIRST_INDIVIDUAL, Scene, link};
 use clonal_mosaic::surface::{Body, Brought, Mesh, quoted};
@@ -144,11 +145,25 @@ fn scene_of_link(text: &str) -> Result<Scene, Refusal> {
         None if text.contains("://") => "",
         None => text,
     };
+    bring_painted(fragment)?;
     let opened = link::read(fragment, plants::all());
     if !opened.left_out.is_empty() {
         return Err(format!("the link: {}", opened.left_out.join(" ")));
     }
     Ok(opened.scene)
+}
+
+/// Makes the plant of a link that says how it was painted.
+fn bring_painted(fragment: &str) -> Result<(), Refusal> {
+    let Some(painted) = painted_of_link(fragment) else { return Ok(()) };
+    let own = painted.and_then(|painted| painted.make(painted.base.body.mesh.text));
+    let own = own.map_err(|why| format!("the link: {why}"))?;
+    plants::bring(&own.text);
+    let named = fragment.split('?').next().unwrap_or_default();
+    match named == own.key {
+        true => Ok(()),
+        false => Err(format!("the link: its strokes make {}, and not {}", own.key, quoted(named))),
+    }
 }
 
 fn of_link(text: &str) -> Result<Wish, Refusal> {

@@ -94,6 +94,15 @@ async fn mesh_named_in(name: &str, text: &str) -> Result<String, String> {
 /// Puts a plant into the page, which reads it when its link is opened.
 fn show(key: &str, text: &str, asked: Option<&str>) {
     let Some(plant) = plants::bring(text) else { return };
+    hold(key, text);
+    match asked {
+        Some(link) => subject::show(link.trim_start_matches('#')),
+        None => subject::show(&link::write(&Scene::preset(plant, FIRST_INDIVIDUAL))),
+    }
+}
+
+/// Puts the text of a plant where the page looks for it.
+pub fn hold(key: &str, text: &str) {
     let id = format!("meshes/{key}.txt");
     if document().get_element_by_id(&id).is_none()
         && let Ok(holder) = document().create_element("script")
@@ -102,10 +111,6 @@ fn show(key: &str, text: &str, asked: Option<&str>) {
         set_attribute(&holder, "id", &id);
         holder.set_text_content(Some(text));
         let _ = document().head().expect("a page has a head").append_child(&holder);
-    }
-    match asked {
-        Some(link) => subject::show(link.trim_start_matches('#')),
-        None => subject::show(&link::write(&Scene::preset(plant, FIRST_INDIVIDUAL))),
     }
 }
 

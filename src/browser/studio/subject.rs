@@ -27,6 +27,11 @@ pub fn scene() -> Scene {
     link::read(link_of(&address()), plants::all()).scene
 }
 
+/// The scene of the address: the same where the page rests, and it need not print for it.
+pub fn wished() -> Scene {
+    link::read(&fragment(), plants::all()).scene
+}
+
 /// What the page showed before its last change of more than day and view, as it would be seen now.
 pub fn before() -> Option<Scene> {
     let now = scene();
