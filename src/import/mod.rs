@@ -1,6 +1,7 @@
 //! Files in: what was taken away is opened again, as the link of the scene that it shows; and photographs, as
 //! the colours of a plant.
 
+mod made;
 mod own;
 mod palette;
 mod photo;
@@ -9,6 +10,7 @@ use crate::plants::{self, Look};
 use crate::play::{FIRST_INDIVIDUAL, Scene, link};
 use crate::surface::quoted;
 use crate::tissue::Recipe;
+pub use made::Made;
 pub use own::{Own, of_document, of_mesh};
 pub use palette::{Palette, Part, Photo, palette};
 pub use photo::{coloured, matched, patterned, types};
