@@ -111,7 +111,7 @@ fn of_own(Own { key, text, told }: Own) -> JsValue {
 /// Draws a body by rule.
 fn shape(words: &str, view: &Float64Array) -> Result<JsValue, String> {
     let made = Made::of_words(words)?;
-    let mesh = made.mesh()?;
+    let mesh = made.seen()?;
     let view = view.to_vec();
     let number = |k: usize| view.get(k).copied().unwrap_or_default() as f32;
     let view = SketchView {

@@ -4,9 +4,9 @@
 use super::Own;
 use super::own::MOST_TRIANGLES;
 use crate::plants::paint::Paint;
-use crate::plants::{self, Growths, Motion, Plant, Shape, View, to_text};
+use crate::plants::{self, Growths, Look, Motion, Plant, Shape, Skin, View, to_text};
 use crate::shapes::{Numbers, Rule};
-use crate::surface::{PolygonMesh, Wrap, quoted};
+use crate::surface::{Group, PolygonMesh, Wrap, quoted};
 use crate::tissue::Recipe;
 use std::sync::Arc;
 
@@ -24,6 +24,10 @@ const ON: &str = "on:";
 const LEAVES: u32 = 12;
 /// Fewer cells are no pattern.
 const LEAST_CELLS: u32 = 200;
+
+/// Bark that comes off in plates, as a plane's: what it uncovers, itself, and what was uncovered before.
+const BARK: [(&str, [f32; 3]); 3] =
+    [("cream", [0.8, 0.75, 0.6]), ("brown", [0.42, 0.36, 0.29]), ("olive", [0.55, 0.54, 0.4])];
 
 /// Colours and gloss of what a leaf by rule has beside its blade, where the look has none.
 const OF_LEAF: [(&str, [f32; 3], f32); 3] = [
@@ -68,6 +72,22 @@ impl Made {
         self.rule.mesh().map_err(|why| why.to_string())
     }
 
+    /// The body as it is seen: that of a flower is a coarse one.
+    ///
+    /// # Errors
+    /// In plain words, why there is none.
+    pub fn seen(&self) -> Result<PolygonMesh, String> {
+        let mesh = self.mesh()?;
+        let plant = self.plant();
+        let but = plant.body.but;
+        Ok(mesh.refined_by(
+            &|group: &Group| match but.iter().find(|but| but.group == group.material) {
+                Some(but) => but.levels.min(1),
+                None => plant.body.levels.min(1),
+            },
+        ))
+    }
+
     /// The plant that grows on it.
     pub fn plant(&self) -> Plant {
         let base = self.base;
@@ -90,6 +110,7 @@ impl Made {
             Numbers::Flower(_) => ("Flower", base.view, base.body.levels, base.body.but),
         };
         look.veins = false;
+        let mut names = base.colour_names;
         let mut recipe = base.recipe.clone();
         match self.rule.numbers {
             Numbers::Leaf(_) => {
@@ -98,7 +119,16 @@ impl Made {
                 look.bare =
                     base.look.bare.iter().chain(missing).copied().collect::<Vec<_>>().leak();
             }
-            Numbers::Tree(_) => look.skin.through = 0.0,
+            Numbers::Tree(_) => {
+                look =
+                    Look { cells: BARK.map(|(_, colour)| colour), gloss: 0.1, tinted: &[], ..look };
+                look.skin = Skin { through: 0.0, ..look.skin };
+                for (name, (of_bark, _)) in names.iter_mut().zip(BARK) {
+                    if !name.is_empty() {
+                        *name = of_bark;
+                    }
+                }
+            }
             Numbers::Flower(_) => {}
         }
         Plant {
@@ -106,6 +136,7 @@ impl Made {
             latin: "",
             source: format!("Recipe of the {}", base.name.to_ascii_lowercase()).leak(),
             body: Shape { levels, but, growths: Growths::Nothing, ..base.body },
+            colour_names: names,
             paint: paint.leak(),
             guides: None,
             recipe: Recipe { anisotropy: 0.0, ..recipe },

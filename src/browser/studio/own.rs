@@ -108,9 +108,11 @@ pub fn make_by_rule(asked: String, words: String) {
         Said::Refused(why) => tell(&format!("The body of this link cannot be made: {why}.")),
         Said::Done(answer) => {
             let [key, text] = [0, 1].map(|k| answer.get(k).as_string().unwrap_or_default());
-            let query = asked.split_once('?').map_or("", |(_, query)| query);
-            if put(&key, &text).is_some() {
-                subject::go(&format!("{key}?{query}"), &beside);
+            match asked.split_once('?') {
+                Some((_, query)) if put(&key, &text).is_some() => {
+                    subject::go(&format!("{key}?{query}"), &beside);
+                }
+                _ => show_by_rule(&key, &text, &beside),
             }
         }
     };

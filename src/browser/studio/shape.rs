@@ -187,6 +187,9 @@ impl ShapeView {
             let other_kind = |other: &str| of(other).is_some() && of(other) == of(&key);
             self.exact.retain(|(other, _)| *other != key && !other_kind(other));
         } else {
+            if element.matches(".kind").unwrap_or(false) {
+                self.exact.clear();
+            }
             self.show_kind();
         }
         self.tell_numbers();
@@ -368,9 +371,7 @@ fn copy_link() {
         let clipboard = window().navigator().clipboard();
         // Pages without https have no clipboard.
         if !clipboard.is_undefined() {
-            let address = subject::address();
-            let address = subject::address_of(subject::link_of(&address));
-            let _ = clipboard.write_text(&address);
+            let _ = clipboard.write_text(&subject::address());
         }
     }
 }

@@ -101,7 +101,7 @@ impl Strokes {
             }
             self.view.set_inner_html(&html);
         }
-        let radius = (0.02 * self.frame[2].max(self.frame[3])).to_string();
+        let radius = (0.045 * self.frame[2]).to_string();
         let dots = each(&self.view, "circle");
         let all = strokes.iter().flat_map(|(_, _, points)| points);
         for (dot, [x, y]) in dots.iter().zip(all) {

@@ -8,18 +8,21 @@ use crate::play::{Scene, link};
 use wasm_bindgen::prelude::*;
 use web_sys::{Element, Event, MutationObserver, MutationObserverInit};
 
-/// The address of what the page shows, with its link: it is asked to put into the document what it would
-/// print, which is that and the picture.
+/// The address of what the page shows, with its link and the words of its body if that is by rule: the page is asked
+/// to put into the document what it would print, which is the link and the picture.
 pub fn address() -> String {
     if let Ok(event) = Event::new("beforeprint") {
         let _ = window().dispatch_event(&event);
     }
-    find::<Element>("printed-link").text_content().unwrap_or_default()
+    let address = find::<Element>("printed-link").text_content().unwrap_or_default();
+    let shape = shape_of(link_of(&address));
+    address + &shape
 }
 
-/// The link of an address, which is the part after its `#`.
+/// The link of an address, which is the part after its `#`, up to a `~`.
 pub fn link_of(address: &str) -> &str {
-    address.split_once('#').map_or("", |(_, link)| link)
+    let link = address.split_once('#').map_or("", |(_, link)| link);
+    link.split('~').next().unwrap_or_default()
 }
 
 /// The scene of what the page shows.
