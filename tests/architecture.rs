@@ -13,7 +13,7 @@ const ROOMS: [(&str, &[&str]); 11] = [
     ("plants", &["surface", "tissue", "mosaic"]),
     ("play", &["surface", "tissue", "mosaic", "plants"]),
     ("export", &["surface", "tissue", "mosaic", "plants", "play"]),
-    ("import", &["surface", "tissue", "plants", "play"]),
+    ("import", &["surface", "shapes", "tissue", "plants", "play"]),
     ("draw", &["surface", "mosaic", "plants"]),
     ("browser", &["surface", "tissue", "mosaic", "plants", "play", "export", "import", "draw"]),
     (

@@ -8,6 +8,7 @@ mod brushes;
 mod charts;
 mod class;
 mod darkroom;
+mod field;
 mod files;
 mod fit;
 mod leaflet;
@@ -20,16 +21,18 @@ mod pictures;
 mod presenter;
 mod pupils;
 mod series;
+mod shape;
 mod simple;
 mod skin;
 mod sound;
+mod strokes;
 mod subject;
 mod take_away;
 mod tour;
 pub mod wish;
 mod work;
 
-use super::address::{fragment, wanted};
+use super::address::fragment;
 use super::dom::{document, find, on, set_attribute, window};
 use crate::play::series::asked_view;
 use bring_in::BringIn;
@@ -42,6 +45,7 @@ use painted::Known;
 use presenter::Presenter;
 use pupils::Pupils;
 use series::Series;
+use shape::ShapeView;
 use simple::SimpleView;
 use sound::Sound;
 use std::cell::RefCell;
@@ -65,6 +69,7 @@ struct Studio {
     charts: ChartView,
     series: Series,
     fit: FitView,
+    shape: ShapeView,
     class: ClassDialog,
     presenter: Presenter,
     pupils: Pupils,
@@ -82,11 +87,13 @@ pub fn start() {
     wear(include_str!("studio/class.css"));
     wear(include_str!("studio/lessons.css"));
     wear(include_str!("studio/paint.css"));
+    wear(include_str!("studio/shape.css"));
     let body = document().body().expect("a page has a body");
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/take_away.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/bring_in.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/series.html"));
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/fit.html"));
+    let _ = body.insert_adjacent_html("beforeend", include_str!("studio/shape.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/lessons.html"));
@@ -100,6 +107,7 @@ pub fn start() {
         charts: ChartView::new(),
         series: Series::new(),
         fit: FitView::new(),
+        shape: ShapeView::new(),
         class: ClassDialog::new(),
         presenter: Presenter::new(),
         pupils: Pupils::new(),
@@ -134,6 +142,7 @@ pub fn start() {
             });
         });
     });
+    subject::on_change(subject::forget_shape);
     let root = document().document_element().expect("a document has a root");
     if let Some(wanted) = root.get_attribute("data-studio") {
         open(&wanted);
@@ -160,6 +169,7 @@ fn open(door: &str) {
         "series" => studio.series.open(),
         "fit" => studio.fit.open(),
         "paint" => studio.paint.open(),
+        "shape" => studio.shape.open(),
         "class" => studio.class.open(),
         "lessons" => studio.lessons.open(),
         "tour" => presenter::after(0, tour::open),
@@ -173,8 +183,10 @@ fn follow_own() {
     let root = document().document_element().expect("a document has a root");
     if let Some(asked) = root.get_attribute("data-own") {
         let _ = root.remove_attribute("data-own");
-        if !painted::make(&asked) {
-            own::make_what_was_kept(asked);
+        match subject::shape() {
+            words if !words.is_empty() => own::make_by_rule(asked, words),
+            _ if painted::make(&asked) => {}
+            _ => own::make_what_was_kept(asked),
         }
     }
 }
@@ -182,10 +194,9 @@ fn follow_own() {
 /// Agrees with the address: what stands behind its `~`, a view and, behind a `/`, what of it.
 fn follow() {
     follow_own();
-    let wanted = wanted();
-    let wanted = wanted.trim_start_matches('~');
+    let wanted = subject::view();
     // Where several plants stand there is none that anything could be done with.
-    let wanted = if asked_view(&fragment()).is_some() { "" } else { wanted };
+    let wanted = if asked_view(&fragment()).is_some() { "" } else { &wanted };
     let (view, of_it) = wanted.split_once('/').unwrap_or((wanted, ""));
     with(|studio| {
         studio.pupils.follow((view == pupils::VIEW).then_some(of_it));

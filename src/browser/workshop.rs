@@ -3,18 +3,20 @@
 //! the studio shows.
 
 use super::studio::wish;
-use crate::export::{Fit, Kind, Order, Want, grown, measured, write_picture, write_zip};
-use crate::import::{Own, Part, Photo, link_of_file, of_document, of_mesh, palette, types};
+use crate::export::{
+    Fit, Kind, Order, SketchView, Want, grown, measured, sketch, told_of, write_picture, write_zip,
+};
+use crate::import::{Made, Own, Part, Photo, link_of_file, of_document, of_mesh, palette, types};
 use crate::plants::{self, Plant};
 use crate::play::lesson::Measure;
 use crate::play::{Scene, link};
 use crate::surface::{Charts, unpack};
 use crate::tissue::{Growth, Progress};
-use js_sys::{Array, Float64Array, Uint8Array};
+use js_sys::{Array, Float64Array, Uint8Array, Uint8ClampedArray};
 use wasm_bindgen::prelude::*;
 use web_sys::{DedicatedWorkerGlobalScope, ImageData, MessageEvent};
 
-/// Listens for its one wish, which `studio/wish.rs` describes with its answers, and says hello before.
+/// Listens for its wish, and for the next one when it has answered, which `studio/wish.rs` describes with its answers, and says hello before.
 pub fn listen() {
     let hear = Closure::<dyn FnMut(MessageEvent)>::new(|message: MessageEvent| {
         let wish: Array = message.data().unchecked_into();
@@ -33,6 +35,11 @@ pub fn listen() {
                 wish::OWN => own(&link, &mesh, &wish.get(3).unchecked_into()),
                 wish::FIT => fit(&link, &mesh, &name),
                 wish::MEASURE => measure(&link, &mesh, &name),
+                wish::SHAPE => shape(&link, &wish.get(3).unchecked_into()),
+                wish::SHAPE_NUMBERS => {
+                    Made::of_words(&link).map(|made| file("", made.to_json().as_bytes()))
+                }
+                wish::GROW_SHAPE => Made::of_words(&link).and_then(|made| made.own()).map(of_own),
                 _ => number(&link, &mesh),
             },
         };
@@ -94,8 +101,27 @@ fn own(link: &str, mesh: &str, file: &Array) -> Result<JsValue, String> {
             of_mesh(&bytes, name.rsplit_once('.').map_or(&*name, |(name, _)| name), &scene_of(link))
         }
     };
-    let Own { key, text, told } = made?;
-    Ok(Array::of3(&key.into(), &text.into(), &told.join("; ").into()).into())
+    made.map(of_own)
+}
+
+fn of_own(Own { key, text, told }: Own) -> JsValue {
+    Array::of3(&key.into(), &text.into(), &told.join("; ").into()).into()
+}
+
+/// Draws a body by rule.
+fn shape(words: &str, view: &Float64Array) -> Result<JsValue, String> {
+    let made = Made::of_words(words)?;
+    let mesh = made.seen()?;
+    let view = view.to_vec();
+    let number = |k: usize| view.get(k).copied().unwrap_or_default() as f32;
+    let view = SketchView {
+        size_px: [0, 1].map(|k| number(k) as usize),
+        azimuth_deg: number(2),
+        elevation_deg: number(3),
+        time: number(4),
+    };
+    let pixels = sketch(&mesh, &made.plant(), view);
+    Ok(Array::of2(&told_of(&mesh).into(), &Uint8ClampedArray::from(&pixels[..])).into())
 }
 
 fn picture(link: &str, picture: &ImageData) -> Result<JsValue, String> {

@@ -1,6 +1,7 @@
 //! Files in: what was taken away is opened again, as the link of the scene that it shows; and photographs, as
 //! the colours of a plant.
 
+mod made;
 mod own;
 mod painted;
 mod palette;
@@ -10,6 +11,7 @@ use crate::plants::{self, Look};
 use crate::play::{FIRST_INDIVIDUAL, Scene, link};
 use crate::surface::quoted;
 use crate::tissue::Recipe;
+pub use made::Made;
 pub use own::{Own, of_document, of_mesh};
 pub use painted::{
     Brush, MOST_RADIUS, PAINTED, Painted, Spot, Stroke, Way, lines_of, nearest, painted_of_link,

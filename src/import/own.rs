@@ -14,7 +14,7 @@ pub struct Own {
 }
 
 /// Triangles of a body at most: each has a chart of its own, and phones have little memory.
-const MOST_TRIANGLES: usize = 60_000;
+pub(super) const MOST_TRIANGLES: usize = 60_000;
 /// Bodies between these sizes stay as large as they are, in centimetres; others are made `USUAL_CM` large.
 const SIZES_CM: std::ops::RangeInclusive<f32> = 1.0..=300.0;
 const USUAL_CM: f32 = 20.0;

@@ -3,7 +3,7 @@
 //! `compare/croton?v=1/cactus?v=1`.
 
 use super::figures::{FIGURES, Figure, Picture};
-use super::parameters::PARAMETERS;
+use super::parameters::{PARAMETERS, Parameter};
 use super::{Scene, link};
 use crate::plants;
 use crate::surface::holds;
@@ -109,7 +109,10 @@ fn label(scene: &Scene, all: &[Scene]) -> String {
     if all.iter().any(|other| other.plant.key != plant.key) {
         parts.push(plant.name.to_string());
     }
-    let numbers = PARAMETERS.iter().filter(|p| p.is_for(plant) && differs(&|s| p.get(s)));
+    // Another plant has all numbers of its own: its name says them.
+    let of_plant = |s: &&Scene| s.plant.key == plant.key;
+    let varies = |p: &Parameter| all.iter().filter(of_plant).any(|s| p.get(s) != p.get(scene));
+    let numbers = PARAMETERS.iter().filter(|p| p.is_for(plant) && varies(p));
     parts.extend(numbers.map(|p| format!("{} {}", p.label(plant), p.written(p.get(scene)))));
     if differs(&|s| s.noise.into()) {
         parts.push(if scene.noise { "Perlin noise" } else { "clones" }.to_string());

@@ -4,8 +4,11 @@ pub mod branching;
 mod chance;
 pub mod flower;
 pub mod leaf;
+mod rule;
+mod short;
 mod tube;
 pub mod veins;
 mod wrong;
 
+pub use rule::{Numbers, Rule, opening};
 pub use wrong::ShapeError;

@@ -63,6 +63,14 @@ fn no_view_breaks_a_rule() {
     page.run("document.querySelectorAll('#fit-dialog [hidden]').forEach(part => { part.hidden = false })");
     all_rules("what numbers are looked for");
     page.run("document.getElementById('fit-dialog').close()");
+    page.click("shape");
+    page.wait_for("the dialog", "return document.getElementById('shape-dialog').open");
+    page.run("document.querySelectorAll('#shape-dialog [hidden]').forEach(part => { part.hidden = false })");
+    page.run(
+        "document.querySelectorAll('#shape-dialog details').forEach(part => { part.open = true })",
+    );
+    all_rules("bodies by rule");
+    page.run("document.getElementById('shape-dialog').close()");
     page.click("series");
     page.wait_for("the dialog", "return document.getElementById('series-dialog').open");
     all_rules("what is asked side by side");

@@ -43,6 +43,7 @@ mod reach;
 mod sameness;
 mod series;
 mod server;
+mod shapes;
 mod start;
 mod studio;
 mod three_engines;

@@ -4,11 +4,11 @@ use super::Refusal;
 use super::options::{from_one_to, whole};
 use super::output::{Target, cannot, say};
 use clap::{Args, Subcommand};
-use clonal_mosaic::shapes::ShapeError;
 use clonal_mosaic::shapes::branching::{Census, Matrix, Ramification, Tree, TreeNumbers, bark};
 use clonal_mosaic::shapes::flower::{Flower, FlowerNumbers};
 use clonal_mosaic::shapes::leaf::{Leaf, LeafNumbers, Limb};
-use clonal_mosaic::surface::{Moment, PolygonMesh};
+use clonal_mosaic::shapes::{ShapeError, opening};
+use clonal_mosaic::surface::PolygonMesh;
 use serde::Serialize;
 use std::fs;
 use std::io::Write;
@@ -155,12 +155,11 @@ fn flower(options: &FlowerOptions) -> Result<(), Refusal> {
     let flower = Flower::new(&numbers, body.individual).map_err(|e| e.to_string())?;
     let time = day / numbers.open_day;
     if let Some(target) = target {
-        let mesh = PolygonMesh { positions: flower.at(time), ..flower.mesh() };
-        let moments = match options.day {
-            Some(_) => Vec::new(),
+        let mesh = match options.day {
+            Some(_) => PolygonMesh { positions: flower.at(time), ..flower.mesh() },
             None => opening(&flower, numbers.open_day),
         };
-        write(target, &PolygonMesh { moments, ..mesh })?;
+        write(target, &mesh)?;
     }
     let stats = FlowerStats {
         day,
@@ -175,17 +174,6 @@ fn flower(options: &FlowerOptions) -> Result<(), Refusal> {
         stats.petals, body.individual, stats.area_cm2, stats.stamens, stats.pistils
     );
     body.tell(&stats, &line)
-}
-
-/// Moments at least of a flower that opens.
-const MOMENTS: f64 = 12.0;
-
-/// A flower from bud to open: on every whole day, between them if those are few, and on the last one.
-fn opening(flower: &Flower, open_day: f64) -> Vec<Moment> {
-    let a_day = (MOMENTS / open_day).ceil();
-    let steps = (0..).map(|step| f64::from(step) / a_day).take_while(|&day| day < open_day);
-    let moment = |day: f64| Moment { day: day as f32, positions: flower.at(day / open_day) };
-    steps.chain([open_day]).map(moment).collect()
 }
 
 /// What is told of a tree.

@@ -2,12 +2,12 @@
 
 use super::files::{begin, tell};
 use super::subject::{self, link_of};
-use super::wish::OWN;
+use super::wish::{GROW_SHAPE, OWN};
 use super::with;
 use super::work::Said;
 use crate::browser::dom::{document, find, set_attribute, window};
 use crate::browser::files;
-use crate::plants;
+use crate::plants::{self, Plant};
 use crate::play::{FIRST_INDIVIDUAL, Scene, link};
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::JsValue;
@@ -93,12 +93,44 @@ async fn mesh_named_in(name: &str, text: &str) -> Result<String, String> {
 
 /// Puts a plant into the page, which reads it when its link is opened.
 fn show(key: &str, text: &str, asked: Option<&str>) {
-    let Some(plant) = plants::bring(text) else { return };
-    hold(key, text);
+    let Some(plant) = put(key, text) else { return };
     match asked {
         Some(link) => subject::show(link.trim_start_matches('#')),
         None => subject::show(&link::write(&Scene::preset(plant, FIRST_INDIVIDUAL))),
     }
+}
+
+/// Makes the plant of a body by rule that a link asks for, by the words beside it, and shows it as the link says.
+pub fn make_by_rule(asked: String, words: String) {
+    let beside = words.clone();
+    let hear = move |said: Said| match said {
+        Said::Day(_) => {}
+        Said::Refused(why) => tell(&format!("The body of this link cannot be made: {why}.")),
+        Said::Done(answer) => {
+            let [key, text] = [0, 1].map(|k| answer.get(k).as_string().unwrap_or_default());
+            match asked.split_once('?') {
+                Some((_, query)) if put(&key, &text).is_some() => {
+                    subject::go(&format!("{key}?{query}"), &beside);
+                }
+                _ => show_by_rule(&key, &text, &beside),
+            }
+        }
+    };
+    begin([GROW_SHAPE, &words, ""], JsValue::NULL, hear);
+}
+
+/// Shows a plant that was made on a body by rule, beside the words of that.
+pub fn show_by_rule(key: &str, text: &str, words: &str) {
+    if let Some(plant) = put(key, text) {
+        subject::go(&link::write(&Scene::preset(plant, FIRST_INDIVIDUAL)), words);
+    }
+}
+
+/// Puts a plant into the page.
+fn put(key: &str, text: &str) -> Option<&'static Plant> {
+    let plant = plants::bring(text)?;
+    hold(key, text);
+    Some(plant)
 }
 
 /// Puts the text of a plant where the page looks for it.

@@ -2,7 +2,7 @@
 //! nobody from reading the address, which holds them all.
 
 use super::subject;
-use crate::browser::address::{fragment, wanted};
+use crate::browser::address::fragment;
 use crate::browser::dom::{
     Listener, document, find, on, on_first, set_attribute, set_flag, set_text, window, within,
 };
@@ -141,8 +141,8 @@ fn mask(key: &str, secret: bool) {
 
 /// What the address says for a class.
 fn wanted_class() -> Option<Class> {
-    let wanted = wanted();
-    let of_it = wanted.strip_prefix("~")?.strip_prefix(VIEW)?;
+    let wanted = subject::view();
+    let of_it = wanted.strip_prefix(VIEW)?;
     Some(Class::read(of_it.trim_start_matches('/')).0)
 }
 

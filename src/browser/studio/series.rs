@@ -42,6 +42,9 @@ impl Series {
             let number: HtmlSelectElement = within(&dialog, &format!("{of}.number"));
             on(&number, "change", move |_: Event| with(|studio| studio.series.propose(of)))
         }));
+        let sources: Element = within(&dialog, ".sources");
+        listeners
+            .push(on(&sources, "click", |_: Event| with(|studio| studio.series.dialog.close())));
         listen_to_pictures();
         Series { dialog, chart: None, _listeners: listeners }
     }

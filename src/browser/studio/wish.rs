@@ -41,3 +41,13 @@ pub const FILM: &str = "film";
 /// Of the darkroom: a large picture, an array of the word of its size (`export::SheetSize`), of what it is staged
 /// on, and of what stands under it (`darkroom`). Steps are days and then tiles: a file.
 pub const SHEET: &str = "sheet";
+
+/// A body by rule, its words (`import::Made`) in the place of a link; needs the width and height of a picture, degrees
+/// around and above, and the share of the days of a body that moves: what it is in a few words, and the pixels.
+pub const SHAPE: &str = "shape";
+
+/// The numbers of such a body: a file.
+pub const SHAPE_NUMBERS: &str = "shape-numbers";
+
+/// The plant that grows on such a body: its key, its text, and what is told of it.
+pub const GROW_SHAPE: &str = "grow-shape";

@@ -34,14 +34,14 @@ impl Work {
     /// The same in a bundle of another name.
     pub fn start_in(
         bundle: &str,
-        [word, link, mesh]: [&str; 3],
+        wish: [&str; 3],
         more: impl Into<JsValue>,
         hear: impl Fn(Said) + Clone + 'static,
     ) -> Result<Work, String> {
         let worker = files::start_worker(bundle).ok_or_else(|| {
             "This browser starts no worker, so nothing can be made here.".to_string()
         })?;
-        let wish = Array::of4(&word.into(), &link.into(), &mesh.into(), &more.into());
+        let wish = said(wish, more);
         let (listens, hear_end) = (worker.clone(), hear.clone());
         let listeners = [
             on(&worker, "message", move |message: MessageEvent| {
@@ -64,6 +64,16 @@ impl Work {
         ];
         Ok(Work { worker, _listeners: listeners })
     }
+
+    /// Tells a workshop that has answered another wish: it stays, and so answers at once.
+    pub fn wish(&self, wish: [&str; 3], more: impl Into<JsValue>) {
+        // Words and numbers can always be sent.
+        let _ = self.worker.post_message(&said(wish, more));
+    }
+}
+
+fn said([word, link, mesh]: [&str; 3], more: impl Into<JsValue>) -> Array {
+    Array::of4(&word.into(), &link.into(), &mesh.into(), &more.into())
 }
 
 impl Drop for Work {

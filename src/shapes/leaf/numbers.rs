@@ -128,6 +128,26 @@ impl LeafNumbers {
         Ok(numbers)
     }
 
+    /// The same leaf, so many times as large.
+    pub fn scaled(mut self, size: f64) -> LeafNumbers {
+        match &mut self.length {
+            Length::Constant { b_cm } => *b_cm *= size,
+            Length::Linear { a_cm, b_cm } | Length::Logarithmic { a_cm, b_cm } => {
+                *a_cm *= size;
+                *b_cm *= size;
+            }
+        }
+        let fine = self.fine.iter_mut().flat_map(|fine| [&mut fine.spacing_cm, &mut fine.tip_cm]);
+        let own = [
+            &mut self.petiole_cm,
+            &mut self.petiole_width_cm,
+            &mut self.wave_cm,
+            &mut self.thickness_cm,
+        ];
+        own.into_iter().chain(fine).for_each(|cm| *cm *= size);
+        self
+    }
+
     /// Says which number is out of its range.
     pub fn check(&self) -> Result<(), ShapeError> {
         if self.lobes.is_multiple_of(2) || self.lobes > 15 {

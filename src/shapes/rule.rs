@@ -1,0 +1,216 @@
+//! A body by its rule: of which kind it is, its numbers, and which individual.
+
+use super::branching::{Tree, TreeNumbers, bark};
+use super::flower::{Flower, FlowerNumbers};
+use super::leaf::{Leaf, LeafNumbers};
+use super::wrong::within;
+use super::{ShapeError, short};
+use crate::surface::{Moment, PolygonMesh};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::ops::RangeInclusive;
+
+/// A body that a rule makes of its numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rule {
+    pub numbers: Numbers,
+    /// Another one of the same numbers.
+    pub individual: u32,
+}
+
+/// The numbers of a body of each kind.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Numbers {
+    Leaf(LeafNumbers),
+    Tree(TreeNumbers),
+    Flower(Box<FlowerNumbers>),
+}
+
+/// The words before the individual, and before how much larger than its numbers a leaf is.
+const INDIVIDUAL: &str = "individual:";
+const SIZE: &str = "size:";
+/// 1 is as the numbers say.
+const SIZES: RangeInclusive<f64> = 0.1..=10.0;
+
+impl Rule {
+    /// Reads what links have: the kind, `leaf`, `tree` or `flower`, and what differs from its usual numbers and its
+    /// first individual, as `lobes:7,border:smooth,individual:3`. A leaf may have `size:2`, which makes it twice as
+    /// large.
+    ///
+    /// # Errors
+    /// Words of another kind, and numbers out of their ranges.
+    pub fn of_words(kind: &str, words: &str) -> Result<Rule, ShapeError> {
+        let (mut rest, mut individual, mut size) = (Vec::new(), 1, 1.0);
+        for word in words.split(',') {
+            if let Some(number) = word.strip_prefix(INDIVIDUAL) {
+                individual = number.parse().map_err(|_| {
+                    let most = u32::MAX;
+                    ShapeError(format!(
+                        "individual is {number}: it must be a whole number from 0 to {most}"
+                    ))
+                })?;
+            } else if let Some(number) = word.strip_prefix(SIZE).filter(|_| kind == "leaf") {
+                size = number.parse().unwrap_or(f64::NAN);
+                within("size", size, &SIZES)?;
+            } else {
+                rest.push(word);
+            }
+        }
+        let rest = rest.join(",");
+        let numbers = match kind {
+            "leaf" => {
+                let numbers = read(&rest, LeafNumbers::from_json)?.scaled(size);
+                numbers.check()?;
+                Numbers::Leaf(numbers)
+            }
+            "tree" => Numbers::Tree(read(&rest, TreeNumbers::from_json)?),
+            "flower" => Numbers::Flower(read(&rest, FlowerNumbers::from_json)?.into()),
+            _ => return Err(ShapeError("a shape is a leaf, a tree or a flower".into())),
+        };
+        Ok(Rule { numbers, individual })
+    }
+
+    /// The words that `of_words` reads.
+    pub fn to_words(&self) -> String {
+        let words = match &self.numbers {
+            Numbers::Leaf(numbers) => written(numbers),
+            Numbers::Tree(numbers) => written(numbers),
+            Numbers::Flower(numbers) => written(&**numbers),
+        };
+        let individual = format!("{INDIVIDUAL}{}", self.individual);
+        match (self.individual, &*words) {
+            (1, _) => words,
+            (_, "") => individual,
+            _ => format!("{words},{individual}"),
+        }
+    }
+
+    /// All numbers as the file that `mosaic shape --numbers` reads.
+    pub fn to_json(&self) -> String {
+        let json = match &self.numbers {
+            Numbers::Leaf(numbers) => serde_json::to_string_pretty(numbers),
+            Numbers::Tree(numbers) => serde_json::to_string_pretty(numbers),
+            Numbers::Flower(numbers) => serde_json::to_string_pretty(numbers),
+        };
+        json.expect("numbers are JSON") + "\n"
+    }
+
+    /// The body in centimetres, as `mosaic shape --obj` writes it: of a flower from bud to open.
+    ///
+    /// # Errors
+    /// Numbers that make none.
+    pub fn mesh(&self) -> Result<PolygonMesh, ShapeError> {
+        match &self.numbers {
+            Numbers::Leaf(numbers) => Ok(Leaf::new(numbers, self.individual)?.mesh()),
+            Numbers::Tree(numbers) => {
+                numbers.check()?;
+                let matrix = numbers.matrix.ramification()?;
+                Ok(bark(&Tree::draw(&matrix, numbers.order, self.individual)?, numbers))
+            }
+            Numbers::Flower(numbers) => {
+                Ok(opening(&Flower::new(numbers, self.individual)?, numbers.open_day))
+            }
+        }
+    }
+}
+
+/// Moments at least of a flower that opens.
+const MOMENTS: f64 = 12.0;
+
+/// A flower as it is open, with moments from the bud to there: on every whole day, between them if those are few, and
+/// on the last one.
+pub fn opening(flower: &Flower, open_day: f64) -> PolygonMesh {
+    let a_day = (MOMENTS / open_day).ceil();
+    let steps = (0..).map(|step| f64::from(step) / a_day).take_while(|&day| day < open_day);
+    let moment = |day: f64| Moment { day: day as f32, positions: flower.at(day / open_day) };
+    let moments = steps.chain([open_day]).map(moment).collect();
+    PolygonMesh { positions: flower.at(1.0), moments, ..flower.mesh() }
+}
+
+fn read<T: Serialize + Default>(
+    words: &str,
+    parse: fn(&str) -> Result<T, ShapeError>,
+) -> Result<T, ShapeError> {
+    parse(&short::read(words, json(&T::default()))?.to_string())
+}
+
+fn written<T: Serialize + Default + DeserializeOwned>(numbers: &T) -> String {
+    short::written(&json(numbers), &json(&T::default()))
+}
+
+fn json(numbers: &impl Serialize) -> serde_json::Value {
+    serde_json::to_value(numbers).expect("numbers are JSON")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::flower::{Arrangement, CrossStroke};
+    use super::*;
+
+    #[test]
+    fn words_are_read_back_as_they_were_written() {
+        for (kind, words) in [
+            ("leaf", ""),
+            ("leaf", "border:polygon,lobes:7,individual:4294967295"),
+            ("leaf", "individual:3"),
+            (
+                "leaf",
+                "fine.closed:true,fine.exponent:3,fine.reach:0.5,fine.spacing_cm:0.4,fine.step:0.25,fine.tip_cm:0.01",
+            ),
+            ("leaf", "length.linear.a_cm:0.5,length.linear.b_cm:-0.1"),
+            ("tree", "matrix:0.5_0.5;0.25_0.25_0.5,order:3"),
+            ("tree", "matrix:tokunaga:1+2,order:5"),
+            ("flower", "growth:3,petals.open_cm:1_2;3_4.5;4_7,pistil:none"),
+            (
+                "flower",
+                "petals.arrangement.spiral.count:17,petals.arrangement.spiral.divergence_deg:137.5",
+            ),
+        ] {
+            let rule = Rule::of_words(kind, words).unwrap();
+            assert_eq!(rule.to_words(), words);
+        }
+        let mut numbers = FlowerNumbers::default();
+        numbers.petals.arrangement = Arrangement::Whorls(vec![5]);
+        numbers.petals.cross =
+            vec![CrossStroke { at: 0.25, lift_cm: vec![[-1.0, 0.5], [1.0, 0.1]] }];
+        let rule = Rule { numbers: Numbers::Flower(numbers.into()), individual: 2 };
+        assert_eq!(Rule::of_words("flower", &rule.to_words()), Ok(rule.clone()));
+        let Numbers::Flower(numbers) = &rule.numbers else { unreachable!() };
+        assert_eq!(FlowerNumbers::from_json(&rule.to_json()).as_ref(), Ok(&**numbers));
+    }
+
+    #[test]
+    fn a_leaf_of_twice_the_size_is_twice_as_wide() {
+        let area = |words: &str| {
+            let Numbers::Leaf(numbers) = Rule::of_words("leaf", words).unwrap().numbers else {
+                unreachable!()
+            };
+            Leaf::new(&numbers, 1).unwrap().limb.area()
+        };
+        assert!((area("size:2") / area("") - 4.0).abs() < 1e-6);
+        let words = Rule::of_words("leaf", "size:2,length.constant.b_cm:0.5").unwrap().to_words();
+        assert!(words.contains("length.constant.b_cm:1,"), "{words}");
+    }
+
+    #[test]
+    fn words_that_make_no_body_are_told() {
+        for (kind, words, told) in [
+            ("moss", "", "a leaf, a tree or a flower"),
+            ("leaf", "lobes", "no colon"),
+            ("leaf", "lobes:4", "odd number"),
+            ("leaf", "lobes.more:4", "invalid type"),
+            ("leaf", "leaves:4", "unknown field `leaves`"),
+            ("leaf", "individual:-1", "individual is -1"),
+            ("leaf", "size:11", "size is 11"),
+            ("leaf", "size:10,petiole_cm:20", "petiole_cm is 200"),
+            ("tree", "order:13", "from 1 to 12"),
+            ("flower", "petals.cross.0.at:0.5", "missing field"),
+            ("flower", "petals.open_cm:1_2", "invalid type"),
+        ] {
+            let wrong = Rule::of_words(kind, words).unwrap_err().to_string();
+            assert!(wrong.contains(told), "{words}: {wrong}");
+        }
+        let fern = Rule::of_words("tree", "matrix:moss").unwrap();
+        assert!(fern.mesh().unwrap_err().to_string().contains("there is no matrix"));
+    }
+}

@@ -1,0 +1,190 @@
+//! Bodies by rule in the studio: their numbers answer at once, their pattern grows, and their link makes them again.
+
+use crate::engines::Graphics;
+use crate::page::Page;
+use crate::studio::downloads;
+use clonal_mosaic::import::Made;
+use clonal_mosaic::plants;
+use clonal_mosaic::play::link;
+use clonal_mosaic::shapes::leaf::LeafNumbers;
+use clonal_mosaic::tissue::Progress;
+use std::sync::Arc;
+use std::time::Duration;
+
+/// The fingerprint of a link's day on a body by rule, grown natively.
+fn native(words: &str, link: &str) -> (String, String) {
+    let own = Made::of_words(words).unwrap().own().unwrap();
+    let plant = plants::bring(&own.text).unwrap();
+    let scene = link::read(link, plants::all()).scene;
+    assert_eq!(scene.plant.key, plant.key, "{link}");
+    let mesh = Arc::new(plant.grow_body(&own.text).unwrap().surface);
+    let mut growth = plant.sow(mesh, scene.recipe, scene.individual).unwrap();
+    while growth.step() != Progress::Day(scene.day) {}
+    (own.key, growth.diary.fingerprint(scene.day as usize))
+}
+
+/// Waits until the body is drawn as the words say.
+fn drawn(page: &Page, words: &str) {
+    let drawn = "return document.getElementById('shape-dialog')?.dataset.drawn";
+    page.wait_for(words, &format!("{drawn} === '{words}'"));
+}
+
+fn set(page: &Page, key: &str, value: &str) {
+    page.run(&format!(
+        "const kind = document.querySelector('#shape-dialog .kind').value;
+         const field = document.querySelector(`[data-kind=${{kind}}] [data-key=\"{key}\"]`);
+         field.value = '{value}';
+         field.dispatchEvent(new Event('input', {{bubbles: true}}))"
+    ));
+}
+
+fn choose_kind(page: &Page, kind: &str) {
+    page.run(&format!(
+        "const field = document.querySelector('#shape-dialog .kind');
+         field.value = '{kind}';
+         field.dispatchEvent(new Event('input', {{bubbles: true}}))"
+    ));
+}
+
+/// Pixels of the body on which something is seen.
+fn seen(page: &Page) -> f64 {
+    let seen = "const canvas = document.querySelector('#shape-dialog canvas');
+                const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+                let seen = 0;
+                for (let k = 3; k < data.length; k += 4) seen += data[k] === 255;
+                return seen";
+    page.run(seen).as_f64().unwrap()
+}
+
+/// Has the pattern grow, and tells the key of the plant, which is a hash over all that makes it, body and recipe.
+fn grow(page: &Page, words: &str) -> String {
+    page.run("document.querySelector('#shape-dialog .grow').click()");
+    page.wait_for("the link", &format!("return location.hash.endsWith('~{words}')"));
+    page.link().split('?').next().unwrap().to_string()
+}
+
+/// The same, made natively.
+fn key_of(words: &str) -> String {
+    Made::of_words(words).unwrap().own().unwrap().key
+}
+
+#[test]
+fn a_leaf_answers_to_its_numbers_grows_and_comes_again_by_its_link() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
+    page.on_day(1);
+    let folder = downloads(&page, "shapes");
+    page.click("shape");
+    drawn(&page, "leaf=");
+    let maple = seen(&page);
+    assert!(maple > 20_000.0, "{maple} pixels of a maple's leaf");
+    set(&page, "lobes", "1");
+    drawn(&page, "leaf=lobes:1");
+    assert!(seen(&page) < 0.8 * maple, "a leaf of one lobe is narrower");
+    let took = ["4", "5", "7", "9", "6"].map(|nodes| {
+        set(&page, "nodes", nodes);
+        drawn(&page, &format!("leaf=lobes:1,nodes:{nodes}"));
+        let took = page.run("return document.getElementById('shape-dialog')?.dataset.drawnMs");
+        took.as_str().unwrap().parse::<f64>().unwrap()
+    });
+    println!("a bare leaf stands there after {took:?} ms");
+    assert!(took.into_iter().fold(f64::MAX, f64::min) <= 100.0, "{took:?} ms");
+    page.run("document.querySelector('#shape-dialog .back').click()");
+    drawn(&page, "leaf=lobes:1");
+    set(&page, "border", "smooth");
+    set(&page, "on", "lungwort.1");
+    let words = "leaf=lobes:1,border:smooth,on:lungwort.1";
+    drawn(&page, words);
+
+    // The numbers as a file are those of the same leaf.
+    page.run("document.querySelector('#shape-dialog .numbers-file').click()");
+    let file = folder.join("leaf.json");
+    let json = (0..200).find_map(|_| {
+        std::thread::sleep(Duration::from_millis(50));
+        std::fs::read_to_string(&file).ok().filter(|json| json.ends_with("}\n"))
+    });
+    let made = Made::of_words(words).unwrap();
+    let numbers = LeafNumbers::from_json(&json.expect("a file")).unwrap();
+    let rule = clonal_mosaic::shapes::Rule {
+        numbers: clonal_mosaic::shapes::Numbers::Leaf(numbers),
+        individual: 1,
+    };
+    assert_eq!(rule.mesh().unwrap(), made.mesh().unwrap());
+
+    grow(&page, words);
+    let own = page.wait("its cells", |s| s.plant.starts_with("own-") && s.state == "ready");
+    let address = page.link();
+    let (key, fingerprint) = native(words, address.split('~').next().unwrap());
+    assert_eq!((own.plant, own.fingerprint), (key.clone(), fingerprint.clone()));
+    let text = page.run(&format!("return document.getElementById('meshes/{key}.txt').textContent"));
+    assert_eq!(text, made.own().unwrap().text, "letter by letter what a shell makes");
+
+    // On another machine, which has never seen it.
+    page.visit("#cactus?v=1&s=1&d=0");
+    page.on_day(0);
+    assert!(page.run("return !document.getElementById('shape-dialog')") == true);
+    page.run(&format!("location.hash = '#{address}'"));
+    let again = page.wait("the same body", |s| s.plant == key && s.state == "ready");
+    assert_eq!((again.fingerprint, page.link()), (fingerprint, address));
+    page.click("shape");
+    drawn(&page, words);
+    page.run("document.getElementById('shape-dialog').close()");
+    page.choose("cactus");
+    page.wait("another plant", |s| s.plant == "cactus");
+    page.wait_for("its link", "return !location.hash.includes('~')");
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
+fn a_tree_has_a_matrix_of_ones_own_and_a_flower_strokes_that_are_drawn() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
+    page.on_day(1);
+    page.click("shape");
+    drawn(&page, "leaf=");
+    choose_kind(&page, "tree");
+    drawn(&page, "tree=");
+    set(&page, "order", "3");
+    page.run(
+        "const rows = document.querySelector('textarea[data-key=matrix]');
+         rows.value = '0.5 0.5\\n0.25 0.25 0.5'",
+    );
+    page.run(
+        "const matrix = document.querySelector('select[data-key=matrix]');
+         matrix.value = 'typed';
+         matrix.dispatchEvent(new Event('input', {bubbles: true}))",
+    );
+    let words = "tree=matrix:0.5_0.5;0.25_0.25_0.5,order:3";
+    drawn(&page, words);
+    assert_eq!(grow(&page, words), key_of(words));
+
+    page.click("shape");
+    drawn(&page, words);
+    choose_kind(&page, "flower");
+    drawn(&page, "flower=");
+    set(&page, "growth", "5");
+    drawn(&page, "flower=growth:5");
+    let open = seen(&page);
+    // The tip of the open vein, by the mouse and then by the keys.
+    page.run("document.querySelector('#shape-dialog svg[data-strokes~=\"petals.open_cm\"]').scrollIntoView()");
+    page.drag("#shape-dialog circle[data-of=\"petals.open_cm\"][data-at=\"6\"]", -30, 0);
+    let stroke = "return document.querySelector('input[data-key=\"petals.open_cm\"]').value";
+    let dragged = page.run(stroke).as_str().unwrap().to_string();
+    assert!(dragged.starts_with("0.6_0;0.7_1.6;") && !dragged.ends_with(";8_4.5"), "{dragged}");
+    drawn(&page, &format!("flower=growth:5,petals.open_cm:{dragged}"));
+    assert!(seen(&page) != open, "the flower follows");
+    page.run("document.querySelector('#shape-dialog .back').click()");
+    drawn(&page, "flower=growth:5");
+    page.run(
+        "document.querySelector('#shape-dialog circle[data-of=\"petals.left_cm\"][data-at=\"3\"]')
+             .dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowLeft', bubbles: true}))",
+    );
+    let edge = |side: &str, sign: &str| {
+        format!(
+            "petals.{side}_cm:{sign}0.28_0;{sign}0.36_1.6;{sign}0.9_4;{sign}1.9_6.6;{sign}1.6_9.2;{sign}0.6_10.6;0_11.2"
+        )
+    };
+    let words = format!("flower=growth:5,{},{}", edge("left", "-"), edge("right", ""));
+    drawn(&page, &words);
+    assert_eq!(grow(&page, &words), key_of(&words));
+    page.wait("its first cells", |s| s.plant == key_of(&words) && s.cells != "0");
+    assert_eq!(page.complaints(), [""; 0]);
+}
