@@ -9,6 +9,7 @@ mod class;
 mod darkroom;
 mod files;
 mod fit;
+mod in_words;
 mod leaflet;
 mod lessons;
 mod own;
@@ -32,6 +33,7 @@ use bring_in::BringIn;
 use charts::ChartView;
 use class::ClassDialog;
 use fit::FitView;
+use in_words::InWords;
 use lessons::LessonView;
 use presenter::Presenter;
 use pupils::Pupils;
@@ -65,6 +67,7 @@ struct Studio {
     simple: SimpleView,
     lessons: LessonView,
     sound: Sound,
+    in_words: InWords,
     tour: Tour,
 }
 
@@ -80,6 +83,9 @@ pub fn start() {
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/fit.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
+    if let Ok(Some(floor)) = document().query_selector(".floor") {
+        let _ = floor.insert_adjacent_html("beforeend", include_str!("studio/in_words.html"));
+    }
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/lessons.html"));
     let sheet = "<div id=lesson-sheet class=worksheet></div>";
     let _ = body.insert_adjacent_html("beforeend", sheet);
@@ -97,6 +103,7 @@ pub fn start() {
         simple: SimpleView::new(),
         lessons: LessonView::new(),
         sound: Sound::new(),
+        in_words: InWords::new(),
         tour: Tour::new(),
     }));
     // They are there as long as the page is.
@@ -141,6 +148,7 @@ fn open(door: &str) {
         "fit" => studio.fit.open(),
         "class" => studio.class.open(),
         "lessons" => studio.lessons.open(),
+        "in-words" => studio.in_words.say_again(),
         "tour" => presenter::after(0, tour::open),
         // What was dropped is heard of by itself.
         _ => {}

@@ -33,7 +33,7 @@ pub fn listen() {
                 wish::OWN => own(&link, &mesh, &wish.get(3).unchecked_into()),
                 wish::FIT => fit(&link, &mesh, &name),
                 wish::MEASURE => measure(&link, &mesh, &name),
-                _ => number(&link, &mesh),
+                _ => number(&link, &mesh, &name),
             },
         };
         match answer {
@@ -119,16 +119,19 @@ fn photo(link: &str, mesh: &str, photo: &ImageData) -> Result<JsValue, String> {
     Ok(Array::of1(&Float64Array::from(&row[..])).into())
 }
 
-/// Grows and tells each day in numbers as it is done.
-fn number(link: &str, mesh: &str) -> Result<JsValue, String> {
+/// Grows and tells each day in numbers as it is done, or the last so many alone.
+fn number(link: &str, mesh: &str, last: &str) -> Result<JsValue, String> {
+    let day = scene_of(link).day as usize;
     let (order, mut growth) = order(Kind::Days, link, mesh)?;
     let mut charts = Charts::new(order.mesh());
-    let mut told = 0;
+    let mut told = last.parse().map_or(0, |last: usize| (day + 1).saturating_sub(last));
     loop {
         let progress = growth.step();
         while told < growth.diary.days.len() && !matches!(progress, Progress::Event) {
             let row = order.numbers(&mut charts, &growth.diary, told).to_row();
-            post(&Array::of1(&Float64Array::from(&row[..])).into());
+            let fingerprint = order.fingerprint(&growth.diary, told);
+            let row = Float64Array::from(&row[..]);
+            post(&Array::of3(&row, &fingerprint.into(), &order.leaves().into()).into());
             told += 1;
         }
         if matches!(progress, Progress::Done | Progress::Full) {
