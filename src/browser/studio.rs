@@ -121,6 +121,7 @@ pub fn start() {
     files::take_what_is_dropped();
     leaflet::print_code();
     pictures::listen();
+    pictures::follow_turns();
     let root = document().document_element().expect("a document has a root");
     if let Some(wanted) = root.get_attribute("data-studio") {
         open(&wanted);
