@@ -6,6 +6,7 @@ mod atlas;
 mod bring_in;
 mod charts;
 mod class;
+mod codap;
 mod darkroom;
 mod files;
 mod fit;
@@ -32,6 +33,7 @@ use crate::play::series::asked_view;
 use bring_in::BringIn;
 use charts::ChartView;
 use class::ClassDialog;
+use codap::Codap;
 use fit::FitView;
 use in_words::InWords;
 use lessons::LessonView;
@@ -68,6 +70,7 @@ struct Studio {
     lessons: LessonView,
     sound: Sound,
     in_words: InWords,
+    codap: Codap,
     tour: Tour,
 }
 
@@ -104,6 +107,7 @@ pub fn start() {
         lessons: LessonView::new(),
         sound: Sound::new(),
         in_words: InWords::new(),
+        codap: Codap::default(),
         tour: Tour::new(),
     }));
     // They are there as long as the page is.
@@ -170,6 +174,9 @@ fn follow() {
     follow_own();
     let wanted = wanted();
     let wanted = wanted.trim_start_matches('~');
+    if wanted == codap::VIEW {
+        with(|studio| studio.codap.open());
+    }
     // Where several plants stand there is none that anything could be done with.
     let wanted = if asked_view(&fragment()).is_some() { "" } else { wanted };
     let (view, of_it) = wanted.split_once('/').unwrap_or((wanted, ""));

@@ -3,6 +3,7 @@
 mod cells;
 mod chart;
 mod clones;
+mod codap;
 mod convex;
 mod course;
 mod days;
@@ -37,6 +38,10 @@ mod zip;
 
 pub use cells::write_cells;
 pub use chart::Chart;
+pub use codap::{
+    DAYS as CODAP_DAYS, INDIVIDUALS as CODAP_INDIVIDUALS, Table as CodapTable, day_case,
+    individual_case, json_text,
+};
 pub use course::{sizes_of_clans, the_course};
 pub use days::DayNumbers;
 pub use film::{Act, Film, FilmFormat, Moment};

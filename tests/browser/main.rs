@@ -11,6 +11,7 @@ mod base64;
 mod bring_in;
 mod class;
 mod clones;
+mod codap;
 mod darkroom;
 mod embedding;
 mod engines;
