@@ -30,6 +30,7 @@ mod lessons;
 mod light;
 mod losses;
 mod measure;
+mod measure_wished;
 mod offline;
 mod one_file;
 mod page;
