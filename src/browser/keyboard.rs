@@ -1,7 +1,7 @@
 //! Keys. Single characters count only on the stage and on sliders, so that they never fight a screen reader or
 //! a field (WCAG 2.2, 2.1.4); undo and redo count everywhere but where something is being typed.
 
-use super::dom::{Listener, on, window};
+use super::dom::{Listener, find, on, window};
 use super::{app, controls};
 use crate::play::page::Event;
 use glam::Vec2;
@@ -76,6 +76,7 @@ fn on_plant(event: &KeyboardEvent) -> bool {
         "n" => controls::another_individual(),
         "c" => controls::copy_link(),
         "m" => app::send(Event::TakeMother),
+        "s" => find::<HtmlElement>("in-words").click(),
         "?" => controls::show_keys(),
         _ => return false,
     }

@@ -7,10 +7,12 @@ mod bring_in;
 mod brushes;
 mod charts;
 mod class;
+mod codap;
 mod darkroom;
 mod field;
 mod files;
 mod fit;
+mod in_words;
 mod leaflet;
 mod lessons;
 mod own;
@@ -38,7 +40,9 @@ use crate::play::series::asked_view;
 use bring_in::BringIn;
 use charts::ChartView;
 use class::ClassDialog;
+use codap::Codap;
 use fit::FitView;
+use in_words::InWords;
 use lessons::LessonView;
 use paint::Paint;
 use painted::Known;
@@ -76,6 +80,8 @@ struct Studio {
     simple: SimpleView,
     lessons: LessonView,
     sound: Sound,
+    in_words: InWords,
+    codap: Codap,
     tour: Tour,
     paint: Paint,
     painted: Known,
@@ -96,6 +102,9 @@ pub fn start() {
     let _ = body.insert_adjacent_html("beforeend", include_str!("studio/shape.html"));
     let panel: Element = find("panel");
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/charts.html"));
+    if let Ok(Some(floor)) = document().query_selector(".floor") {
+        let _ = floor.insert_adjacent_html("beforeend", include_str!("studio/in_words.html"));
+    }
     let _ = panel.insert_adjacent_html("afterend", include_str!("studio/lessons.html"));
     let sheet = "<div id=lesson-sheet class=worksheet></div>";
     let _ = body.insert_adjacent_html("beforeend", sheet);
@@ -114,6 +123,8 @@ pub fn start() {
         simple: SimpleView::new(),
         lessons: LessonView::new(),
         sound: Sound::new(),
+        in_words: InWords::new(),
+        codap: Codap::default(),
         tour: Tour::new(),
         paint: Paint::new(),
         painted: Known::default(),
@@ -143,6 +154,7 @@ pub fn start() {
         });
     });
     subject::on_change(subject::forget_shape);
+    pictures::follow_turns();
     let root = document().document_element().expect("a document has a root");
     if let Some(wanted) = root.get_attribute("data-studio") {
         open(&wanted);
@@ -172,6 +184,7 @@ fn open(door: &str) {
         "shape" => studio.shape.open(),
         "class" => studio.class.open(),
         "lessons" => studio.lessons.open(),
+        "in-words" => studio.in_words.say_again(),
         "tour" => presenter::after(0, tour::open),
         // What was dropped is heard of by itself.
         _ => {}
@@ -195,6 +208,9 @@ fn follow_own() {
 fn follow() {
     follow_own();
     let wanted = subject::view();
+    if wanted == codap::VIEW {
+        with(|studio| studio.codap.open());
+    }
     // Where several plants stand there is none that anything could be done with.
     let wanted = if asked_view(&fragment()).is_some() { "" } else { &wanted };
     let (view, of_it) = wanted.split_once('/').unwrap_or((wanted, ""));

@@ -82,7 +82,7 @@ impl Timeline {
     pub fn show(&mut self, page: &Page) {
         let (run, playhead) = (page.run(), page.playhead());
         let last_day = run.last_day();
-        let grown = run.newest().unwrap_or(0);
+        let grown = run.grown().unwrap_or(0);
         let wished = playhead.wished_day();
         for element in [self.slider.as_ref(), &self.grown] {
             set_attribute(element, "max", last_day.to_string());

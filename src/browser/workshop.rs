@@ -40,7 +40,7 @@ pub fn listen() {
                     Made::of_words(&link).map(|made| file("", made.to_json().as_bytes()))
                 }
                 wish::GROW_SHAPE => Made::of_words(&link).and_then(|made| made.own()).map(of_own),
-                _ => number(&link, &mesh),
+                _ => number(&link, &mesh, &name),
             },
         };
         match answer {
@@ -145,16 +145,19 @@ fn photo(link: &str, mesh: &str, photo: &ImageData) -> Result<JsValue, String> {
     Ok(Array::of1(&Float64Array::from(&row[..])).into())
 }
 
-/// Grows and tells each day in numbers as it is done.
-fn number(link: &str, mesh: &str) -> Result<JsValue, String> {
+/// Grows and tells each day in numbers as it is done, or the last so many alone.
+fn number(link: &str, mesh: &str, last: &str) -> Result<JsValue, String> {
+    let day = scene_of(link).day as usize;
     let (order, mut growth) = order(Kind::Days, link, mesh)?;
     let mut charts = Charts::new(order.mesh());
-    let mut told = 0;
+    let mut told = last.parse().map_or(0, |last: usize| (day + 1).saturating_sub(last));
     loop {
         let progress = growth.step();
         while told < growth.diary.days.len() && !matches!(progress, Progress::Event) {
             let row = order.numbers(&mut charts, &growth.diary, told).to_row();
-            post(&Array::of1(&Float64Array::from(&row[..])).into());
+            let fingerprint = order.fingerprint(&growth.diary, told);
+            let row = Float64Array::from(&row[..]);
+            post(&Array::of3(&row, &fingerprint.into(), &order.leaves().into()).into());
             told += 1;
         }
         if matches!(progress, Progress::Done | Progress::Full) {

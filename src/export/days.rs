@@ -23,7 +23,8 @@ impl DayNumbers {
                                largest_B,largest_M,mixed_edges,expected_cells,expected_sd";
 
     pub fn to_csv(&self) -> String {
-        let Pattern { count, area_shares, patches, largest_patches, mixed_edges } = &self.pattern;
+        let Pattern { count, area_shares, patches, largest_patches, mixed_edges, .. } =
+            &self.pattern;
         let mut columns = vec![self.day.to_string(), count.cells.to_string()];
         columns.extend(count.by_type.map(|x| x.to_string()));
         columns.extend(area_shares.map(|x| x.to_string()));
@@ -39,7 +40,8 @@ impl DayNumbers {
 
     /// All of it in a row of numbers, not a number where nothing is known to expect.
     pub fn to_row(&self) -> Vec<f64> {
-        let Pattern { count, area_shares, patches, largest_patches, mixed_edges } = &self.pattern;
+        let Pattern { count, area_shares, patches, largest_patches, largest_areas, mixed_edges } =
+            &self.pattern;
         let Expected { mean, variance } = self.expected.unwrap_or(UNKNOWN);
         let of = |numbers: &[u32]| numbers.iter().copied().map(f64::from).collect::<Vec<f64>>();
         [
@@ -48,6 +50,7 @@ impl DayNumbers {
             area_shares.to_vec(),
             of(patches),
             of(largest_patches),
+            largest_areas.to_vec(),
             vec![*mixed_edges, mean, variance],
             of(&self.clans),
             self.expected_clans.unwrap_or([f64::NAN; CLAN_STEPS]).to_vec(),
@@ -62,13 +65,21 @@ impl DayNumbers {
         let by_type = whole(next(row)?);
         let area_shares = next(row)?;
         let [patches, largest_patches] = [whole(next(row)?), whole(next(row)?)];
+        let largest_areas = next(row)?;
         let [mixed_edges, mean, variance] = next(row)?;
         let clans = whole(next(row)?);
         let expected_clans: [f64; CLAN_STEPS] = next(row)?;
         let count = DayCount { cells, by_type };
         Some(DayNumbers {
             day,
-            pattern: Pattern { count, area_shares, patches, largest_patches, mixed_edges },
+            pattern: Pattern {
+                count,
+                area_shares,
+                patches,
+                largest_patches,
+                largest_areas,
+                mixed_edges,
+            },
             expected: (!mean.is_nan()).then_some(Expected { mean, variance }),
             clans,
             expected_clans: (!expected_clans[0].is_nan()).then_some(expected_clans),
@@ -102,6 +113,7 @@ mod tests {
                 area_shares: [0.5, 0.25, 0.125],
                 patches: [2, 1, 1],
                 largest_patches: [4, 3, 1],
+                largest_areas: [0.5, 0.25, 0.125],
                 mixed_edges: 0.375,
             },
             expected: Some(Expected { mean: 8.5, variance: 2.25 }),

@@ -3,6 +3,7 @@
 mod cells;
 mod chart;
 mod clones;
+mod codap;
 mod convex;
 mod course;
 mod days;
@@ -12,6 +13,7 @@ mod flat;
 mod flats;
 mod gif;
 mod glb;
+mod in_words;
 mod joints;
 mod kind;
 mod leaves;
@@ -37,11 +39,16 @@ mod zip;
 
 pub use cells::write_cells;
 pub use chart::Chart;
+pub use codap::{
+    DAYS as CODAP_DAYS, INDIVIDUALS as CODAP_INDIVIDUALS, Table as CodapTable, day_case,
+    individual_case, json_text,
+};
 pub use course::{sizes_of_clans, the_course};
 pub use days::DayNumbers;
 pub use film::{Act, Film, FilmFormat, Moment};
 pub use fit::{Fit, Want, grown};
 pub use gif::Gif;
+pub use in_words::pattern_in_words;
 pub use kind::Kind;
 pub use lesson::{curves, strip, worksheet};
 pub use measured::measured;

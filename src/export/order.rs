@@ -140,6 +140,16 @@ impl Order {
         Pattern::of(&self.mesh, charts, painted.as_ref().unwrap_or(diary), day)
     }
 
+    /// The fingerprint of a day that stands in the diary of the growth.
+    pub fn fingerprint(&self, diary: &Diary, day: usize) -> String {
+        self.painted(diary, day).as_ref().unwrap_or(diary).fingerprint(day)
+    }
+
+    /// How many leaves the plant has, 0 of one that is none.
+    pub fn leaves(&self) -> u32 {
+        if self.mesh.uvs.is_empty() { 0 } else { self.mesh.part_count() as u32 }
+    }
+
     /// The body that it grows on.
     pub fn mesh(&self) -> &Mesh {
         &self.mesh

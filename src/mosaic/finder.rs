@@ -23,6 +23,8 @@ pub struct SiteFinder {
     picked: Picked,
     /// How far from each triangle sites had to be looked for the last time, in mean spacings.
     reach: Vec<f32>,
+    /// Whether the day that was found last was day 0.
+    is_of_day_0: bool,
     /// For each cell the list that it was last put in, and its number there.
     number_of: Vec<(u32, u32)>,
     /// Of each cell.
@@ -58,6 +60,7 @@ impl SiteFinder {
             near: Near::default(),
             picked: Picked::default(),
             reach: vec![FIRST_REACH; mesh.triangles.len()],
+            is_of_day_0: false,
             number_of: Vec::new(),
             tints: Vec::new(),
             cell_of: Vec::new(),
@@ -68,6 +71,11 @@ impl SiteFinder {
     /// finder. Charts that were made for wider spacings would show the images of a triangle in another order.
     pub fn begin(&mut self, controls: Vec<Control>) {
         self.controls = controls;
+        self.forget();
+    }
+
+    /// Forgets what days before have brought: the lists of the next one are those of a new finder.
+    pub fn forget(&mut self) {
         self.charts.clear();
         self.reach.fill(FIRST_REACH);
     }
@@ -88,7 +96,7 @@ impl SiteFinder {
         let spacing = (mesh.area / diary.days[day].places.len() as f32).sqrt();
         let room = BORDER_ROOM * spacing;
         let born_before = diary.days[day.saturating_sub(1)].places.len() as u32;
-        if day == 1 {
+        if std::mem::replace(&mut self.is_of_day_0, day == 0) && day > 0 {
             // Those of day 0 are too small for any later one.
             self.charts.clear();
         }

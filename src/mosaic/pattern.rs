@@ -16,6 +16,8 @@ pub struct Pattern {
     pub patches: [u32; 3],
     /// Cells of the largest patch of each type.
     pub largest_patches: [u32; 3],
+    /// Share of the whole surface of the patch of each type that covers most, 0 to 1.
+    pub largest_areas: [f64; 3],
     /// Share of the pairs of neighbours that are of unlike type, 0 to 1; 0 where nobody has one.
     pub mixed_edges: f64,
 }
@@ -33,12 +35,15 @@ impl Pattern {
         let kind = |cell: u32| diary.lineage[cell as usize].kind;
         let pairs = neighbours(&pieces);
         let mixed = pairs.iter().filter(|&&[a, b]| kind(a) != kind(b)).count();
-        let (patches, largest_patches) = patches(&pairs, places.len(), kind);
+        let areas = areas(&pieces, places.len());
+        let whole = f64::from(mesh.area);
+        let patches = patches(&pairs, &areas, kind);
         Pattern {
             count: diary.count(day),
             area_shares: area_shares(&mesh, &pieces, kind),
-            patches,
-            largest_patches,
+            patches: patches.map(|patches| patches.count),
+            largest_patches: patches.map(|patches| patches.most_cells),
+            largest_areas: patches.map(|patches| patches.largest_area / whole),
             mixed_edges: mixed as f64 / pairs.len().max(1) as f64,
         }
     }
@@ -71,28 +76,44 @@ fn area_shares(mesh: &Mesh, pieces: &[Piece], kind: impl Fn(u32) -> CellType) ->
     areas.map(|area| area / f64::from(mesh.area))
 }
 
-/// Joins neighbours of like type until only patches are left: how many there are of each type, and the cells of
-/// the largest.
-fn patches(
-    pairs: &[[u32; 2]],
-    cells: usize,
-    kind: impl Fn(u32) -> CellType,
-) -> ([u32; 3], [u32; 3]) {
+/// The area of each cell's polygons.
+fn areas(pieces: &[Piece], cells: usize) -> Vec<f64> {
+    let mut areas = vec![0.0; cells];
+    for piece in pieces {
+        areas[piece.cell as usize] += f64::from(piece.area());
+    }
+    areas
+}
+
+/// The patches of a type: how many, the cells of that with most, and the area of that which covers most.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Patches {
+    count: u32,
+    most_cells: u32,
+    largest_area: f64,
+}
+
+/// Joins neighbours of like type until only patches are left. There are as many cells as areas.
+fn patches(pairs: &[[u32; 2]], areas: &[f64], kind: impl Fn(u32) -> CellType) -> [Patches; 3] {
     // Each cell points to one of its patch, at last to the one that stands for it.
-    let mut towards: Vec<u32> = (0..cells as u32).collect();
+    let mut towards: Vec<u32> = (0..areas.len() as u32).collect();
     for &[a, b] in pairs.iter().filter(|&&[a, b]| kind(a) == kind(b)) {
         let [a, b] = [a, b].map(|cell| follow(&mut towards, cell));
         towards[a.max(b) as usize] = a.min(b);
     }
-    let (mut count, mut largest) = ([0; 3], [0; 3]);
-    let mut members = vec![0; cells];
-    for cell in 0..cells as u32 {
-        let (stands, kind) = (follow(&mut towards, cell), kind(cell) as usize);
-        members[stands as usize] += 1;
-        count[kind] += u32::from(stands == cell);
-        largest[kind] = largest[kind].max(members[stands as usize]);
+    let mut of_types = [Patches::default(); 3];
+    let mut members = vec![(0, 0.0); areas.len()];
+    for cell in 0..areas.len() as u32 {
+        let stands = follow(&mut towards, cell);
+        let patches = &mut of_types[kind(cell) as usize];
+        let (cells, area) = &mut members[stands as usize];
+        *cells += 1;
+        *area += areas[cell as usize];
+        patches.count += u32::from(stands == cell);
+        patches.most_cells = patches.most_cells.max(*cells);
+        patches.largest_area = patches.largest_area.max(*area);
     }
-    (count, largest)
+    of_types
 }
 
 /// The cell that stands for a cell's patch; ways that were gone are shortened by half.

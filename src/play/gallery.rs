@@ -180,6 +180,8 @@ impl Gallery {
         match answer {
             ToPage::Hello { build } if build != BUILD => effects.push((number, Effect::Reload)),
             ToPage::Hello { .. } => hand.greet(),
+            // No clones are asked for here.
+            ToPage::Born { .. } => {}
             ToPage::Day(news) => {
                 hand.forgive();
                 let run = runs.iter_mut().find(|run| run.generation == news.generation);
@@ -248,7 +250,7 @@ impl Gallery {
             if self.meshes.provide(run.scene.plant.body.mesh.name, Some(number), &mut wishes) {
                 self.hands[number].grows = Some(generation);
                 let link = link::write(&run.scene);
-                wishes.push(Effect::Post(ToWorker::Grow { generation, link }));
+                wishes.push(Effect::Post(ToWorker::Grow { generation, first: 0, link }));
             }
             effects.extend(wishes.into_iter().map(|wish| (number, wish)));
         }

@@ -155,7 +155,7 @@ impl Page {
 
     /// Whether the next frame will differ from this one by itself.
     pub fn is_moving(&self) -> bool {
-        !self.camera.at_rest() || self.playhead.is_moving(self.run.newest(), self.run.last_day())
+        !self.camera.at_rest() || self.playhead.is_moving(self.newest(), self.run.last_day())
     }
 
     /// Whether the visitor asked for less motion.
@@ -181,7 +181,7 @@ impl Page {
     }
 
     fn take(&mut self, event: Event, effects: &mut Vec<Effect>) {
-        let (newest, last_day) = (self.run.newest(), self.run.last_day());
+        let (newest, last_day) = (self.newest(), self.run.last_day());
         match event {
             Event::OpenLink(fragment) if asked_view(&fragment).is_some() => self.leave(effects),
             Event::OpenLink(fragment) => {
@@ -245,11 +245,11 @@ impl Page {
             }
             Event::Scrub(time) => {
                 self.forgive_day();
-                self.playhead.scrub(time, newest, last_day);
+                self.playhead.scrub(time, self.run.newest_from(time as u32), last_day);
             }
             Event::LetGo => {
                 self.playhead.let_go();
-                self.try_again(effects);
+                self.ask(effects);
             }
             Event::PlayOrPause if self.playhead.is_playing() => self.playhead.pause(),
             Event::PlayOrPause => self.playhead.play(last_day),
@@ -332,7 +332,7 @@ impl Page {
         let comes_back = std::mem::take(&mut self.is_away);
         let failed = self.run.end == Some(End::Failed);
         if scene.grows_like(&self.run.scene) && !comes_back && !failed {
-            self.playhead.seek(scene.day, self.run.newest());
+            self.go(scene.day, effects);
         } else {
             self.grow(scene.clone(), effects);
         }
@@ -341,8 +341,7 @@ impl Page {
 
     fn seek(&mut self, day: u32, effects: &mut Vec<Effect>) {
         self.forgive_day();
-        self.playhead.seek(day.min(self.run.last_day()), self.run.newest());
-        self.try_again(effects);
+        self.go(day.min(self.run.last_day()), effects);
     }
 
     /// Decides what is to be on the screen. While nothing of a new growth has come, the picture

@@ -117,6 +117,11 @@ impl Playhead {
         }
     }
 
+    /// The day that it needs next: the wished one, or where it plays or is held, that of now.
+    pub fn needs(&self) -> u32 {
+        if self.motion == Motion::Glide { self.wished_day } else { self.time as u32 }
+    }
+
     pub fn is_playing(&self) -> bool {
         matches!(self.motion, Motion::Play | Motion::Premiere | Motion::Scrub { played: true })
     }

@@ -13,8 +13,11 @@ pub const BUILD: &str = env!("MOSAIC_BUILD");
 pub enum ToWorker {
     /// What stands in a mesh file: comes before the first wish that needs it.
     Mesh { name: String, text: String },
-    /// Grow the scene of a link; whatever grew before stops. Every answer carries the number.
-    Grow { generation: u32, link: String },
+    /// Grow the scene of a link; whatever grew before stops. Every answer carries the number. One day is told first,
+    /// the others after it in their order.
+    Grow { generation: u32, first: u32, link: String },
+    /// Tell this day of what grows before the others.
+    First { day: u32 },
     /// Grow no further.
     Stop,
 }
@@ -25,6 +28,11 @@ pub enum ToPage {
     /// The worker listens; `build` is its own `BUILD`.
     Hello {
         build: String,
+    },
+    /// Another day has grown, and so many were born: see `Pedigree::news`. It is told later what is to be drawn of it.
+    Born {
+        generation: u32,
+        born: Vec<u32>,
     },
     Day(DayNews),
     /// The population reached its cap: no further day comes.
@@ -52,8 +60,6 @@ pub struct DayNews {
     pub lists: SiteLists,
     /// The cell of each site of the lists.
     pub cell_of: Vec<u32>,
-    /// Who was born: see `Pedigree::news`.
-    pub born: Vec<u32>,
 }
 
 /// Why words are no message.
@@ -69,6 +75,8 @@ const DONE: u32 = 5;
 const FAILED: u32 = 6;
 const MESH: u32 = 7;
 const STOP: u32 = 8;
+const FIRST: u32 = 9;
+const BORN: u32 = 10;
 
 impl ToWorker {
     pub fn to_words(&self) -> Vec<u32> {
@@ -79,10 +87,11 @@ impl ToWorker {
                 push_text(&mut words, name);
                 push_text(&mut words, text);
             }
-            ToWorker::Grow { generation, link } => {
-                words = vec![GROW, *generation];
+            ToWorker::Grow { generation, first, link } => {
+                words = vec![GROW, *generation, *first];
                 push_text(&mut words, link);
             }
+            ToWorker::First { day } => words = vec![FIRST, *day],
             ToWorker::Stop => words = vec![STOP],
         }
         words
@@ -92,7 +101,12 @@ impl ToWorker {
         let mut reader = Reader(words);
         let message = match reader.word()? {
             MESH => ToWorker::Mesh { name: reader.text()?, text: reader.text()? },
-            GROW => ToWorker::Grow { generation: reader.word()?, link: reader.text()? },
+            GROW => ToWorker::Grow {
+                generation: reader.word()?,
+                first: reader.word()?,
+                link: reader.text()?,
+            },
+            FIRST => ToWorker::First { day: reader.word()? },
             STOP => ToWorker::Stop,
             _ => return Err(ProtocolError),
         };
@@ -108,9 +122,12 @@ impl ToPage {
                 push_text(&mut words, build);
                 words
             }
-            ToPage::Day(DayNews { generation, day, facts, lists, cell_of, born }) => {
+            ToPage::Born { generation, born } => {
+                [&[BORN, *generation, born.len() as u32], &born[..]].concat()
+            }
+            ToPage::Day(DayNews { generation, day, facts, lists, cell_of }) => {
                 let (heads, sites) = (words_of(&lists.heads), words_of(&lists.sites));
-                let parts = [heads, sites, cell_of, born];
+                let parts = [heads, sites, cell_of];
                 let whole: usize = parts.iter().map(|part| part.len()).sum();
                 let mut words = Vec::with_capacity(18 + whole);
                 words.extend([DAY, *generation, *day, facts.count.cells]);
@@ -137,6 +154,7 @@ impl ToPage {
         let mut reader = Reader(words);
         let message = match reader.word()? {
             HELLO => ToPage::Hello { build: reader.text()? },
+            BORN => ToPage::Born { generation: reader.word()?, born: reader.records()? },
             DAY => ToPage::Day(reader.day()?),
             FULL => ToPage::Full { generation: reader.word()? },
             DONE => ToPage::Done { generation: reader.word()? },
@@ -196,8 +214,7 @@ impl<'a> Reader<'a> {
         let sites: Vec<Site> = self.records()?;
         let facts = DayFacts { count: DayCount { cells, by_type }, areas, fingerprint };
         let lists = SiteLists { heads, sites };
-        let (cell_of, born) = (self.records()?, self.records()?);
-        Ok(DayNews { generation, day, facts, lists, cell_of, born })
+        Ok(DayNews { generation, day, facts, lists, cell_of: self.records()? })
     }
 
     fn records<T: bytemuck::Pod>(&mut self) -> Result<Vec<T>, ProtocolError> {
@@ -231,8 +248,8 @@ mod tests {
                 },
                 lists: SiteLists { heads: vec![head], sites: vec![site(5), site(u32::MAX - 1)] },
                 cell_of: vec![0, 1],
-                born: vec![1, 1 << 30],
             }),
+            ToPage::Born { generation: 7, born: vec![1, 1 << 30] },
             ToPage::Full { generation: 1 },
             ToPage::Done { generation: 2 },
             ToPage::Failed { generation: 3, text: String::new() },
@@ -246,7 +263,8 @@ mod tests {
         }
         for wish in [
             ToWorker::Mesh { name: "leaf.obj".to_string(), text: "f 1 2 3".to_string() },
-            ToWorker::Grow { generation: 4, link: "leaf?v=1&s=2&d=3".to_string() },
+            ToWorker::Grow { generation: 4, first: 3, link: "leaf?v=1&s=2&d=3".to_string() },
+            ToWorker::First { day: 5 },
             ToWorker::Stop,
         ] {
             assert_eq!(ToWorker::from_words(&wish.to_words()), Ok(wish));

@@ -79,6 +79,22 @@ impl View {
     }
 }
 
+/// What is asked of a view once its pictures, of these links, have been turned or zoomed: each link says from where its
+/// first picture is seen now.
+pub fn turned(asked: &str, pictures: &[String]) -> String {
+    let mut first = 0;
+    let links = asked.split('/').map(|link| {
+        let picture = pictures.get(first).map_or("", |picture| picture);
+        first += several(link).len();
+        let is_view = |word: &&str| word.starts_with("view=");
+        let (plant, query) = link.split_once('?').unwrap_or((link, ""));
+        let kept = query.split('&').filter(|word| !is_view(word) && !word.is_empty());
+        let words: Vec<&str> = kept.chain(picture.split(['?', '&']).filter(is_view)).collect();
+        if words.is_empty() { plant.to_string() } else { format!("{plant}?{}", words.join("&")) }
+    });
+    links.collect::<Vec<_>>().join("/")
+}
+
 /// The links that a link stands for in which words have several values, `1..12` or `0.1,0.5`. Views have commas
 /// of their own.
 fn several(link: &str) -> Vec<String> {
@@ -169,6 +185,20 @@ mod tests {
         assert!(two[0].0.starts_with("Croton, ") && two[1].0.ends_with("day 20"), "{two:?}");
         let alike = pictures("compare/croton?v=1&d=3/croton?v=1&d=3");
         assert_eq!([alike[0].0, alike[1].0], ["day 3", "day 3"]);
+    }
+
+    #[test]
+    fn what_is_asked_for_follows_the_hand_that_turns_it() {
+        let pictures = [
+            "mushroom?v=1&s=1&d=2&view=5,6,2",
+            "mushroom?v=1&s=2&d=2&view=5,6,2",
+            "croton?v=1&s=1&d=9",
+        ];
+        let pictures = pictures.map(str::to_string);
+        let asked = "mushroom?v=1&d=2&view=1,2,1&s=1..2/croton?d=9&view=3,4,1/cactus";
+        let turned = turned(asked, &pictures);
+        assert_eq!(turned, "mushroom?v=1&d=2&s=1..2&view=5,6,2/croton?d=9/cactus");
+        assert_eq!(super::turned("croton", &pictures[..1]), "croton?view=5,6,2");
     }
 
     #[test]

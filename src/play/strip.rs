@@ -78,7 +78,7 @@ mod tests {
             let count = DayCount { cells: by_type.iter().sum(), by_type };
             let facts = DayFacts { count, areas, fingerprint: String::new() };
             let lists = SiteLists::default();
-            run.add(DayNews { generation: 1, day, facts, lists, cell_of: vec![], born: vec![] });
+            run.add(DayNews { generation: 1, day, facts, lists, cell_of: vec![] });
         }
         run
     }

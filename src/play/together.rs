@@ -11,6 +11,7 @@ use std::sync::Arc;
 
 mod cloning;
 mod fields;
+mod first;
 mod late;
 mod looking;
 mod losses;
@@ -127,6 +128,12 @@ impl Together {
         self.hear(Event::WorkerLost("It is gone.".to_string()));
     }
 
+    fn work_until_grown(&mut self, day: u32) {
+        while self.page.run().grown() < Some(day) {
+            self.work();
+        }
+    }
+
     fn work_until_day(&mut self, day: u32) {
         while self.page.run().newest() < Some(day) {
             self.work();
@@ -175,26 +182,6 @@ fn fingerprint_of(fragment: &str) -> String {
 }
 
 #[test]
-fn a_link_is_opened_and_rests_on_its_day() {
-    let mut all = Together::open("#leaf?v=1&s=17&d=4");
-    assert_eq!(all.page.state(), State::Loading);
-    all.work_until_day(0);
-    assert_eq!((all.page.state(), all.drawn_day()), (State::Growing, Some(0)));
-    all.work_until_day(4);
-    all.rest();
-    assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(4)));
-    all.finish();
-    assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(4)));
-    assert_eq!(all.page.run().end, Some(End::Done));
-    assert_eq!(all.fingerprint(), fingerprint_of("#leaf?v=1&s=17&d=4"));
-    assert_eq!(all.links, ["leaf?v=1&s=17&d=4"]);
-    assert_eq!(all.wishes, 1);
-    let cells = all.page.run().facts(4).unwrap().count.cells;
-    assert!(all.said.last().unwrap().starts_with("Leaf, individual 17, day 4: "));
-    assert!(all.said.last().unwrap().contains(&super::words::grouped(cells)));
-}
-
-#[test]
 fn held_days_need_no_worker() {
     let mut all = Together::open("#leaf?v=1&s=1&d=6");
     all.finish();
@@ -225,22 +212,6 @@ fn the_newest_wish_wins() {
     assert_eq!(all.page.drawn().unwrap().individual, 3);
     assert_eq!(all.fingerprint(), fingerprint_of("#fruit?v=1&s=3&d=3"));
     assert_eq!(all.page.run().generation, 4);
-}
-
-#[test]
-fn a_day_to_come_is_followed() {
-    let mut all = Together::open("#leaf?v=1&s=1&d=1");
-    all.work_until_day(2);
-    all.rest();
-    assert_eq!(all.page.state(), State::Ready);
-    all.hear(Event::Seek(5));
-    all.rest();
-    assert_eq!((all.page.state(), all.drawn_day()), (State::Growing, Some(2)));
-    all.work_until_day(4);
-    all.rest();
-    assert_eq!((all.page.state(), all.drawn_day()), (State::Growing, Some(4)));
-    all.finish();
-    assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(5)));
 }
 
 #[test]

@@ -33,6 +33,33 @@ struct Run {
     generation: u32,
     growth: Growth,
     noise: Option<Noise>,
+    /// The day that is to be told before the others.
+    first: usize,
+    /// Whether a day was told, of those that have grown.
+    told: Vec<bool>,
+    /// How it ended, to be said when all days are told.
+    end: Option<ToPage>,
+}
+
+/// What is to be done next.
+enum Next {
+    Tell(usize),
+    Grow,
+    End,
+}
+
+impl Run {
+    /// The first day comes first: only then, or where it will never grow, the others.
+    fn next(&self) -> Next {
+        let untold = self.told.iter().position(|told| !told);
+        let is_wanted = self.told.get(self.first) == Some(&false);
+        match untold {
+            Some(_) if is_wanted => Next::Tell(self.first),
+            Some(day) if self.first < self.told.len() || self.end.is_some() => Next::Tell(day),
+            _ if self.end.is_some() => Next::End,
+            _ => Next::Grow,
+        }
+    }
 }
 
 impl Worker {
@@ -47,8 +74,14 @@ impl Worker {
 
     /// Takes a wish; what grew before stops. An answer comes at once only if it cannot be grown.
     pub fn hear(&mut self, wish: ToWorker) -> Option<ToPage> {
-        let (generation, link) = match wish {
-            ToWorker::Grow { generation, link } => (generation, link),
+        let (generation, first, link) = match wish {
+            ToWorker::Grow { generation, first, link } => (generation, first, link),
+            ToWorker::First { day } => {
+                if let Some(run) = &mut self.run {
+                    run.first = day as usize;
+                }
+                return None;
+            }
             ToWorker::Mesh { name, text } => {
                 // That of a plant of the visitor's own says it.
                 bring(&text);
@@ -63,7 +96,8 @@ impl Worker {
         self.run = None;
         match self.sow(&link) {
             Ok((growth, noise)) => {
-                self.run = Some(Run { generation, growth, noise });
+                let (first, told, end) = (first as usize, Vec::new(), None);
+                self.run = Some(Run { generation, growth, noise, first, told, end });
                 None
             }
             Err(why) => Some(ToPage::Failed { generation, text: why }),
@@ -76,28 +110,34 @@ impl Worker {
     }
 
     /// Grows until the slice of time is over or the growth ends. `slice_is_over` is asked after each
-    /// relaxation event.
+    /// relaxation event and each day that is told.
     pub fn work(&mut self, slice_is_over: impl Fn() -> bool, mut post: impl FnMut(ToPage)) {
-        while let (Some(Run { generation, growth, noise }), Some(ground)) =
-            (&mut self.run, &mut self.ground)
-        {
-            let generation = *generation;
-            match growth.step() {
-                Progress::Event => {}
-                Progress::Day(day) => {
-                    let diary = &growth.diary;
-                    let painted =
-                        noise.as_ref().map(|n| n.paint(&ground.surface, diary, day as usize));
+        while let (Some(run), Some(ground)) = (&mut self.run, &mut self.ground) {
+            let generation = run.generation;
+            match run.next() {
+                Next::Tell(day) => {
+                    let diary = &run.growth.diary;
+                    let painted = run.noise.as_ref().map(|n| n.paint(&ground.surface, diary, day));
                     let diary = painted.as_ref().unwrap_or(diary);
+                    if day == 0 {
+                        // Else its lists would go by what was told first.
+                        ground.finder.forget();
+                    }
                     post(ToPage::Day(ground.news(diary, generation, day)));
+                    run.told[day] = true;
                 }
-                Progress::Full => {
-                    post(ToPage::Full { generation });
-                    self.run = None;
-                }
-                Progress::Done => {
-                    post(ToPage::Done { generation });
-                    self.run = None;
+                Next::Grow => match run.growth.step() {
+                    Progress::Event => {}
+                    Progress::Day(day) => {
+                        let born = Pedigree::news(&run.growth.diary, day as usize);
+                        post(ToPage::Born { generation, born });
+                        run.told.push(false);
+                    }
+                    Progress::Full => run.end = Some(ToPage::Full { generation }),
+                    Progress::Done => run.end = Some(ToPage::Done { generation }),
+                },
+                Next::End => {
+                    self.run.take().and_then(|run| run.end).into_iter().for_each(&mut post);
                 }
             }
             if slice_is_over() {
@@ -134,16 +174,15 @@ impl Worker {
 }
 
 impl Ground {
-    fn news(&mut self, diary: &Diary, generation: u32, day: u32) -> DayNews {
-        let index = day as usize;
+    fn news(&mut self, diary: &Diary, generation: u32, index: usize) -> DayNews {
+        let day = index as u32;
         let lists = self.finder.find(&self.surface, diary, index);
         let facts = DayFacts {
             count: diary.count(index),
             areas: lists.areas(&self.surface.on(day)),
             fingerprint: diary.fingerprint(index),
         };
-        let (cell_of, born) = (self.finder.cell_of.clone(), Pedigree::news(diary, index));
-        DayNews { generation, day, facts, lists, cell_of, born }
+        DayNews { generation, day, facts, lists, cell_of: self.finder.cell_of.clone() }
     }
 }
 
@@ -157,7 +196,7 @@ mod tests {
     }
 
     fn grow(plant: &str) -> ToWorker {
-        ToWorker::Grow { generation: 1, link: format!("{plant}?v=1&s=1&d=1") }
+        ToWorker::Grow { generation: 1, first: 1, link: format!("{plant}?v=1&s=1&d=1") }
     }
 
     #[test]
@@ -177,6 +216,71 @@ mod tests {
         surface_of("fruit");
         assert!(!Arc::ptr_eq(&first, &surface_of("leaf")));
         assert_eq!(Arc::strong_count(&first), 1, "no other one is held");
+    }
+
+    /// All that a worker says of a leaf, that of one day first.
+    fn told(first: u32, link: &str) -> Vec<ToPage> {
+        let mut worker = Worker::new(PLANTS);
+        worker.hear(mesh("leaf"));
+        worker.hear(ToWorker::Grow { generation: 1, first, link: link.to_string() });
+        let mut told = Vec::new();
+        worker.work(|| false, |answer| told.push(answer));
+        told
+    }
+
+    /// The days that were told, in the order in which they were.
+    fn days(told: &[ToPage]) -> Vec<&DayNews> {
+        let days = told.iter().filter_map(|said| match said {
+            ToPage::Day(news) => Some(news),
+            _ => None,
+        });
+        days.collect()
+    }
+
+    #[test]
+    fn one_day_is_told_first_and_all_are_as_they_are_in_their_order() {
+        for link in ["leaf?v=1&s=1&d=6", "leaf?v=1&s=1&d=6&noise=1"] {
+            let in_order = told(0, link);
+            let expected = days(&in_order);
+            for first in [1, 4, 6] {
+                let all = told(first, link);
+                let mut news = days(&all);
+                let order: Vec<u32> = news.iter().map(|news| news.day).collect();
+                let others = (0..=6).filter(|&day| day != first);
+                assert_eq!(order, [first].into_iter().chain(others).collect::<Vec<u32>>());
+                news.sort_by_key(|news| news.day);
+                for (a, b) in expected.iter().zip(&news) {
+                    assert_eq!(a.facts, b.facts);
+                    // In the middle of each triangle is the same cell, whatever the order of its list.
+                    let cell = |news: &DayNews, t| {
+                        news.lists.nearest(t, glam::Vec2::ZERO, 1.0).map(|site| news.cell_of[site])
+                    };
+                    assert!((0..a.lists.heads.len()).all(|t| cell(a, t) == cell(b, t)));
+                    if b.day != first {
+                        assert_eq!(a, b, "day {} after day {first}", a.day);
+                    }
+                }
+                assert_eq!(all.last(), Some(&ToPage::Done { generation: 1 }));
+                let born = |said: &&ToPage| matches!(said, ToPage::Born { .. });
+                assert!(all.iter().filter(born).eq(in_order.iter().filter(born)));
+            }
+        }
+    }
+
+    #[test]
+    fn a_newer_wish_is_told_before_the_others() {
+        let mut worker = Worker::new(PLANTS);
+        worker.hear(mesh("leaf"));
+        let link = "leaf?v=1&s=1&d=6".to_string();
+        worker.hear(ToWorker::Grow { generation: 1, first: 6, link });
+        let mut told = Vec::new();
+        while told.len() < 3 {
+            worker.work(|| true, |answer| told.push(answer));
+        }
+        worker.hear(ToWorker::First { day: 1 });
+        worker.work(|| false, |answer| told.push(answer));
+        let order: Vec<u32> = days(&told).iter().map(|news| news.day).collect();
+        assert_eq!(order, [1, 0, 2, 3, 4, 5, 6]);
     }
 
     #[test]

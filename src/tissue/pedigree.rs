@@ -44,6 +44,11 @@ impl Pedigree {
         self.counts.push(self.parents.len() as u32);
     }
 
+    /// How many days are known.
+    pub fn days(&self) -> u32 {
+        self.counts.len() as u32
+    }
+
     /// How many cells have been born so far.
     pub fn cells(&self) -> u32 {
         self.parents.len() as u32

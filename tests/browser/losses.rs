@@ -8,8 +8,8 @@ use serde_json::json;
 /// condition on the `link` that they grow, the `day`, and the number of workers `made` before.
 fn open(is_deadly: &str, link: &str) -> Option<Page> {
     let page = Page::start(Graphics::Neither)?;
-    // Messages are words: 1, generation, bytes of the link and the link to the worker; 3, generation
-    // and day to the page.
+    // Messages are words: 1, generation, first day, bytes of the link and the link to the worker; 3,
+    // generation and day to the page.
     let source = format!(
         "let made = 0;
          window.Worker = class extends Worker {{
@@ -19,7 +19,7 @@ fn open(is_deadly: &str, link: &str) -> Option<Page> {
                      let link = '';
                      self.addEventListener('message', ({{data}}) => {{
                          if (data[0] === 1)
-                             link = new TextDecoder().decode(new Uint8Array(data.buffer, 12, data[2]))
+                             link = new TextDecoder().decode(new Uint8Array(data.buffer, 16, data[3]))
                      }});
                      const post = self.postMessage.bind(self);
                      self.postMessage = (words, ...rest) => {{

@@ -135,14 +135,14 @@ fn native_seconds(plant: &'static Plant) -> f64 {
     let text = plant.body.mesh.text.to_string();
     worker.hear(ToWorker::Mesh { name: plant.body.mesh.name.to_string(), text });
     let begun = Instant::now();
-    worker.hear(ToWorker::Grow { generation: 1, link: preset_link(plant) });
+    worker.hear(ToWorker::Grow { generation: 1, first: 0, link: preset_link(plant) });
     worker.work(|| false, |news| drop(news.to_words()));
     begun.elapsed().as_secs_f64()
 }
 
 /// The same in the worker: from the page's wish to the answer that all days have grown.
 fn worker_seconds(page: &Page, plant: &'static Plant) -> f64 {
-    let wish = ToWorker::Grow { generation: 1, link: String::new() }.to_words()[0];
+    let wish = ToWorker::Grow { generation: 1, first: 0, link: String::new() }.to_words()[0];
     let done = ToPage::Done { generation: 1 }.to_words()[0];
     let watch = format!(
         "window.Worker = class extends Worker {{

@@ -73,10 +73,31 @@ fn a_nursery_grows_its_individuals_and_tells_what_they_come_to() {
         "day 0",
         "return document.querySelector('.summary .told').textContent.includes('on day 0')",
     );
+    // What turns one of them turns all, and the address, too: it opens with the same turn.
+    page.run(
+        "document.querySelector('#figure-list .picture').dispatchEvent(
+             new KeyboardEvent('keydown', {key: 'ArrowLeft', bubbles: true}))",
+    );
+    let views = "return [...document.querySelectorAll('#figure-list .picture')].map(e =>
+                     new URL(e.href).hash.split('view=')[1])";
+    page.wait_for(
+        "the address",
+        "return /^#nursery\\/mushroom\\?v=1&d=2&s=3\\.\\.6&view=[^&]+$/.test(location.hash)",
+    );
+    let turned = page.run(views);
+    assert_eq!(turned[0], turned[3]);
+    let link = page.link();
+    page.visit(&format!("#{link}"));
+    page.wait_for(
+        "the pictures",
+        "return document.querySelectorAll('#figure-list .picture[data-count]').length === 4",
+    );
+    assert_eq!(page.run(views), turned);
+    assert_eq!(page.link(), link);
     page.run("document.querySelectorAll('#figure-list .picture')[2].click()");
     let state = page.ready();
-    assert_eq!((state.plant.as_str(), state.day.as_str()), ("mushroom", "0"));
-    assert_eq!(page.run("return location.hash"), "#mushroom?v=1&s=5&d=0");
+    assert_eq!((state.plant.as_str(), state.day.as_str()), ("mushroom", "2"));
+    assert!(page.link().starts_with("mushroom?v=1&s=5&d=2&view="), "{}", page.link());
 }
 
 #[test]

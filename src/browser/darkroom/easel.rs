@@ -129,13 +129,16 @@ fn grow(scene: &Scene, mesh: &str, last_day: u32) -> Result<Run, String> {
     let mut run = Run::new(generation, scene.clone());
     let name = scene.plant.body.mesh.name.to_string();
     worker.hear(ToWorker::Mesh { name, text: mesh.to_string() });
-    if let Some(ToPage::Failed { text, .. }) = worker.hear(ToWorker::Grow { generation, link }) {
+    if let Some(ToPage::Failed { text, .. }) =
+        worker.hear(ToWorker::Grow { generation, first: 0, link })
+    {
         return Err(format!("This cannot be grown: {text}."));
     }
     while worker.is_busy() && run.newest().is_none_or(|day| day < last_day) {
         worker.work(
             || true,
             |answer| match answer {
+                ToPage::Born { generation, born } => run.bear(generation, &born),
                 ToPage::Day(news) => {
                     tell(news.day);
                     run.add(news);

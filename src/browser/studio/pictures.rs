@@ -2,18 +2,22 @@
 //! compared, one more of them with another number.
 
 use super::{atlas, subject};
-use crate::browser::dom::{document, find, offer, on, set_attribute, set_text, within};
+use crate::browser::address::{fragment, wanted};
+use crate::browser::dom::{document, find, offer, on, set_attribute, set_text, window, within};
 use crate::plants;
 use crate::play::atlas::rounded;
 use crate::play::link;
 use crate::play::parameters::{PARAMETERS, Parameter};
-use crate::play::series::MOST_PICTURES;
+use crate::play::series::{MOST_PICTURES, asked_view, turned};
 use crate::play::typed::plain;
-use wasm_bindgen::JsCast;
+use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{
     Element, Event, HtmlInputElement, HtmlSelectElement, KeyboardEvent, KeyboardEventInit,
     MouseEvent,
 };
+
+/// Milliseconds from a turn to the address that says it.
+const TURN_RESTS_MS: i32 = 400;
 
 /// The buttons beside the page's plant, and the keys on a picture that do the same.
 const KEYS: [(&str, &str); 6] = [
@@ -82,6 +86,35 @@ fn press(key: &str) {
     init.set_bubbles(true);
     if let Ok(event) = KeyboardEvent::new_with_keyboard_event_init_dict("keydown", &init) {
         let _ = within::<Element>(&find("figure-list"), ".picture").dispatch_event(&event);
+    }
+}
+
+/// Keeps the address in step with the hand that turns the pictures, once it rests: browsers let nobody write it at each
+/// frame.
+pub fn follow_turns() {
+    let waits = std::rc::Rc::new(std::cell::Cell::new(false));
+    subject::on_attribute(&find::<Element>("figure-list"), "href", move || {
+        if !waits.replace(true) {
+            let waits = waits.clone();
+            super::presenter::after(TURN_RESTS_MS, move || {
+                waits.set(false);
+                write_turns();
+            });
+        }
+    });
+}
+
+fn write_turns() {
+    let hash = fragment();
+    let Some((view, asked)) = asked_view(&hash).filter(|(view, _)| !view.is_of_figures()) else {
+        return;
+    };
+    let now = format!("#{}/{}", view.key, turned(asked, &links()));
+    if now != hash
+        && let Ok(history) = window().history()
+    {
+        let address = format!("{now}{}", wanted());
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
     }
 }
 

@@ -13,12 +13,9 @@ use crate::play::series::MOST_PICTURES;
 use crate::play::typed::plain;
 use crate::play::{Scene, link};
 use crate::tissue::DayCount;
-use js_sys::{Array, Uint8Array};
+use js_sys::Uint8Array;
 use wasm_bindgen::prelude::*;
-use web_sys::{
-    Element, Event, HtmlDialogElement, HtmlInputElement, HtmlSelectElement, MutationObserver,
-    MutationObserverInit,
-};
+use web_sys::{Element, Event, HtmlDialogElement, HtmlInputElement, HtmlSelectElement};
 
 /// Where the fields of the one number and of the other are.
 const AXES: [&str; 2] = ["", ".and "];
@@ -223,11 +220,7 @@ impl Series {
             _ => return,
         };
         let list: Element = find("figure-list");
-        let pictures = list.query_selector_all(".picture[data-count]").ok();
-        let pictures =
-            pictures.into_iter().flat_map(|all| (0..all.length()).map(move |k| all.item(k)));
-        let grown: Vec<Grown> =
-            pictures.flatten().filter_map(|picture| grown(&picture.unchecked_into())).collect();
+        let grown: Vec<Grown> = pictures().into_iter().map(|(grown, _)| grown).collect();
         // Those that have not come so far will.
         let newest = grown.iter().map(|grown| grown.scene.day).max();
         let grown: Vec<Grown> =
@@ -271,6 +264,18 @@ fn individuals(scene: &Scene, count: u32) -> String {
     link.replacen(&format!("s={first}"), &range, 1)
 }
 
+/// What the pictures of the page show, each with its label.
+pub fn pictures() -> Vec<(Grown, String)> {
+    let all = find::<Element>("figure-list").query_selector_all(".picture[data-count]").ok();
+    let all = all.into_iter().flat_map(|all| (0..all.length()).map(move |k| all.item(k)));
+    let pictures = all.flatten().filter_map(|picture| {
+        let picture: Element = picture.unchecked_into();
+        let label = within::<Element>(&picture, ".label").text_content().unwrap_or_default();
+        Some((grown(&picture)?, label))
+    });
+    pictures.collect()
+}
+
 /// What a picture of the page shows, by its link and its counts.
 fn grown(picture: &Element) -> Option<Grown> {
     let address = picture.get_attribute("href")?;
@@ -284,16 +289,8 @@ fn grown(picture: &Element) -> Option<Grown> {
 
 /// Sums up again whenever a picture shows another day.
 fn listen_to_pictures() {
-    let changed = Closure::<dyn FnMut()>::new(|| with(|studio| studio.series.sum_up()));
-    if let Ok(observer) = MutationObserver::new(changed.as_ref().unchecked_ref()) {
-        let which = MutationObserverInit::new();
-        which.set_attributes(true);
-        which.set_subtree(true);
-        which.set_attribute_filter(&Array::of1(&"data-count".into()));
-        let _ = observer.observe_with_options(&find::<Element>("figure-list"), &which);
-    }
-    // It looks as long as the page is there.
-    changed.forget();
+    let list: Element = find("figure-list");
+    subject::on_attribute(&list, "data-count", || with(|studio| studio.series.sum_up()));
 }
 
 fn attribute_of_target(event: &Event, name: &str) -> Option<String> {

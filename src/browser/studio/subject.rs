@@ -140,6 +140,19 @@ pub fn address_of(link: &str) -> String {
     format!("{page}#{link}{}{beside}", shape_of(link))
 }
 
+/// Does something whenever an attribute changes of what is in an element, as long as that is there.
+pub fn on_attribute(of: &Element, name: &str, act: impl FnMut() + 'static) {
+    let changed = Closure::<dyn FnMut()>::new(act);
+    if let Ok(observer) = MutationObserver::new(changed.as_ref().unchecked_ref()) {
+        let which = MutationObserverInit::new();
+        which.set_attributes(true);
+        which.set_subtree(true);
+        which.set_attribute_filter(&js_sys::Array::of1(&name.into()));
+        let _ = observer.observe_with_options(of, &which);
+    }
+    changed.forget();
+}
+
 /// Does something whenever the page shows something else, as long as it is there.
 pub fn on_change(act: impl FnMut() + 'static) {
     let changed = Closure::<dyn FnMut()>::new(act);

@@ -27,7 +27,8 @@ pub const MOST_TRIES: usize = 100;
 /// The bytes of a file as the link that it holds.
 pub const OPEN: &str = "open";
 
-/// All days in numbers: an array with the numbers of each (`DayNumbers::to_row`), and at last an empty one.
+/// Days in numbers, all or the last so many, up to the day of the link: of each an array of its numbers
+/// (`DayNumbers::to_row`), its fingerprint and how many leaves the plant has, and at last an empty one.
 pub const NUMBERS: &str = "numbers";
 
 /// One number of some individuals, how many and what: `12 share F`. An array with the number of each, and at last

@@ -84,7 +84,7 @@ impl Page {
             self.hold(None, effects);
             effects.push(Effect::Tell(vec![text]));
         }
-        let days = self.run.newest().map_or(0, |day| day as usize + 1);
+        let days = self.run.pedigree.days() as usize;
         let generation = self.run.generation;
         let is_known = |known: &InHand| {
             Some(known.cell) == self.scene.cell

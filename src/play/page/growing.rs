@@ -28,9 +28,11 @@ impl Page {
         let has_mesh = self.meshes.provide(scene.plant.body.mesh.name, worker, effects);
         if has_mesh && self.hand.listens() {
             let (generation, link) = (*generation, link::write(scene));
+            // Who sees it for the first time sees it grow.
+            let first = if self.playhead.is_playing() { 0 } else { self.playhead.wished_day() };
             self.run.end = None;
             self.hand.grows = Some(generation);
-            effects.push(Effect::Post(ToWorker::Grow { generation, link }));
+            effects.push(Effect::Post(ToWorker::Grow { generation, first, link }));
         }
     }
 
@@ -38,6 +40,32 @@ impl Page {
     pub(super) fn try_again(&mut self, effects: &mut Vec<Effect>) {
         if self.run.end == Some(End::Failed) {
             self.adopt(self.wished_scene(), effects);
+        }
+    }
+
+    /// Wishes a day of what grows.
+    pub(super) fn go(&mut self, day: u32, effects: &mut Vec<Effect>) {
+        self.playhead.seek(day, self.run.newest_from(day));
+        self.ask(effects);
+    }
+
+    /// The newest day as far as what is shown can go.
+    pub(super) fn newest(&self) -> Option<u32> {
+        self.run.newest_from(self.playhead.needs())
+    }
+
+    /// Asks for the wished day, if it has not come: what could not be is tried again.
+    pub(super) fn ask(&mut self, effects: &mut Vec<Effect>) {
+        self.try_again(effects);
+        let day = self.playhead.wished_day();
+        if self.run.facts(day).is_some() {
+            return;
+        }
+        if self.run.end.is_some() {
+            // Its worker was lost after the day that was wished then.
+            self.grow(self.wished_scene(), effects);
+        } else if self.hand.grows == Some(self.run.generation) {
+            effects.push(Effect::Post(ToWorker::First { day }));
         }
     }
 
@@ -60,12 +88,19 @@ impl Page {
                 self.hand.greet();
                 self.wish(effects);
             }
+            ToPage::Born { generation, born } => self.run.bear(generation, &born),
             ToPage::Day(news) => {
+                let (day, wished) = (news.day, self.playhead.wished_day());
                 self.run.add(news);
-                // With less motion each day is seen at once.
-                if self.less_motion {
-                    self.playhead.advance(0.0, self.run.newest(), self.run.last_day());
+                let newest = self.newest();
+                if day == wished && self.playhead.is_settled() {
+                    // What is wished comes at once, whatever has come of the days before.
+                    self.playhead.seek(day, newest);
+                } else if self.less_motion {
+                    // With less motion each day is seen at once.
+                    self.playhead.advance(0.0, newest, self.run.last_day());
                 }
+                self.sum_up_again(day);
             }
             ToPage::Full { generation } if generation == current => {
                 self.end(End::Full);
@@ -115,8 +150,8 @@ impl Page {
             "" => Scene::preset(self.scene.plant, self.scene.individual),
             worked => link::read(worked, self.plants).scene,
         };
-        let newest = self.run.newest();
-        let is_held = newest >= Some(self.playhead.wished_day());
+        let newest = self.run.last_held();
+        let is_held = self.run.facts(self.playhead.wished_day()).is_some();
         if !is_held && !before.grows_like(&self.run.scene) {
             self.adopt(before, effects);
         } else if let Some(newest) = newest {
@@ -146,7 +181,8 @@ impl Page {
     fn end(&mut self, end: End) {
         self.run.end = Some(end);
         if self.playhead.wished_day() > self.run.last_day() {
-            self.playhead.seek(self.run.last_day(), self.run.newest());
+            let last_day = self.run.last_day();
+            self.playhead.seek(last_day, self.run.newest_from(last_day));
         }
     }
 

@@ -62,17 +62,26 @@ impl Page {
         self.heard = Some(now);
     }
 
+    /// The day before the one that was summed up has come: now there is something to compare it with.
+    pub(super) fn sum_up_again(&mut self, day: u32) {
+        if let Some(heard) = self.heard.as_ref().filter(|heard| heard.day.day == day + 1)
+            && self.run.scene.grows_like(&heard.scene)
+        {
+            self.summary = summary(&self.run, heard);
+        }
+    }
+
     /// What is being waited for; nothing where nothing is.
     pub fn notice(&self) -> String {
         let wished = self.playhead.wished_day();
         if self.run.end == Some(End::Failed) {
             return String::new();
         }
-        match (self.run.newest(), &self.shown.day) {
-            (None, _) => "Sowing the first cells…".to_string(),
-            (Some(grown), Some(day)) if wished > grown && !self.playhead.is_playing() => {
-                let cells = words::grouped(day.facts.count.cells);
-                format!("Day {wished} is growing: here is day {}, {cells} cells", day.day)
+        match self.run.grown() {
+            None => "Sowing the first cells…".to_string(),
+            Some(grown) if self.run.facts(wished).is_none() && !self.playhead.is_playing() => {
+                let cells = words::grouped(self.run.pedigree.cells());
+                format!("Day {wished} is growing: so far day {grown}, {cells} cells")
             }
             _ => String::new(),
         }

@@ -91,7 +91,7 @@ fn mothers_and_clans_are_walked_through() {
 fn a_link_brings_its_clone_and_waits_for_its_birth() {
     let (cell, _) = last_cell(&leaf("#leaf?v=1&s=1&d=6"));
     let mut all = Together::open(&format!("#leaf?v=1&s=1&d=6&cell={cell}"));
-    all.work_until_day(2);
+    all.work_until_grown(2);
     assert!(told(&all).story.starts_with("Not born on the days"), "{}", told(&all).story);
     all.finish();
     assert_eq!(told(&all).days, [(6, 1)]);

@@ -41,10 +41,11 @@ fn late_days_are_not_taken_for_those_of_the_new_growth() {
 #[test]
 fn late_days_do_not_come_back_behind_the_figures() {
     let mut all = Together::open("#leaf?v=1&s=1&d=6");
-    while all.mailbox.is_empty() {
+    let is_day = |words: &Vec<u32>| matches!(ToPage::from_words(words), Ok(ToPage::Day(_)));
+    while !all.mailbox.last().is_some_and(is_day) {
         all.grow();
     }
-    let late = ToPage::from_words(&all.mailbox[0]).unwrap();
+    let late = ToPage::from_words(all.mailbox.last().unwrap()).unwrap();
     all.hear(Event::OpenLink("#figures".to_string()));
     all.hear(Event::FromWorker(late));
     assert_eq!(all.page.run().newest(), None);
@@ -65,7 +66,7 @@ fn late_refusals_and_full_populations_are_not_told() {
         ToPage::Failed { generation: 1, text: "it cannot be".to_string() },
     ] {
         let mut all = Together::open("#leaf?v=1&s=1&d=6");
-        all.work_until_day(1);
+        all.work_until_grown(1);
         all.mailbox.push(late.to_words());
         all.hear(Event::Individual(2.0));
         all.deliver();

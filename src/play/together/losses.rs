@@ -133,7 +133,7 @@ fn a_growth_that_is_too_large_brings_back_what_was_there_before() {
     all.finish();
     let before = all.fingerprint();
     all.hear(Event::Change { key: "df", value: 3.0 });
-    all.work_until_day(1);
+    all.work_until_grown(1);
     all.kill();
     assert!(all.told[0].contains("more memory") && all.told[0].contains("back"));
     assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=4&bo=0.8");
@@ -179,7 +179,7 @@ fn what_came_back_and_is_lost_too_does_not_come_back_again() {
     }
     all.work_until_day(2);
     all.kill();
-    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=2&days=2", "these days did grow");
+    assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=3&days=3", "these days did grow");
     all.rest();
     assert_eq!((all.page.state(), all.starts), (State::Ready, 3));
 }
@@ -219,14 +219,21 @@ fn a_day_that_was_wished_later_is_given_up() {
 }
 
 #[test]
-fn a_wished_day_that_has_come_stays_before_it_is_seen() {
+fn a_wished_day_that_has_come_stays_without_those_before_it() {
     let mut all = Together::open("#leaf?v=1&s=1&d=2&df=4");
-    all.work_until_day(2);
-    assert_eq!(all.page.state(), State::Growing);
+    while all.page.run().facts(2).is_none() {
+        all.work();
+    }
+    assert_eq!(all.page.run().newest(), None);
     all.kill();
     assert_eq!(all.links.last().unwrap(), "leaf?v=1&s=1&d=2&df=4&days=2");
     all.rest();
-    assert_eq!((all.page.state(), all.drawn_day()), (State::Ready, Some(2)));
+    assert_eq!((all.page.state(), all.drawn_day(), all.wishes), (State::Ready, Some(2), 1));
+    // A day before it is grown again when somebody wishes it.
+    all.hear(Event::Seek(1));
+    all.finish();
+    assert_eq!((all.page.state(), all.drawn_day(), all.wishes), (State::Ready, Some(1), 2));
+    assert_eq!(all.fingerprint(), fingerprint_of("#leaf?v=1&s=1&d=1&df=4"));
 }
 
 #[test]
