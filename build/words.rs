@@ -126,7 +126,7 @@ fn is_read(text: &str) -> bool {
     let is_word = |word: &&str| word.chars().filter(|c| c.is_alphabetic()).count() >= 2;
     let words = letters.split_whitespace().filter(is_word).count();
     let is_code = text.starts_with(['<', '[', '.', '#', '@', '(', '*'])
-        || [".{}", "/{}", "{}/", "-{}", "{}-", "{}_", "_{}", "](", ")]", "://", "="]
+        || [".{}", "/{}", "{}/", "-{}", "{}-", "{}_", "_{}", "](", ")]", "://", "=", "{\""]
             .iter()
             .any(|part| text.contains(part))
         || text.split("{}.").skip(1).any(|after| after.starts_with(char::is_alphabetic));
