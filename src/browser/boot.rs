@@ -7,7 +7,7 @@ use super::files::{self, in_bundles, is_held};
 use crate::plants::OWN;
 use js_sys::{JsString, Promise};
 use wasm_bindgen::prelude::*;
-use web_sys::{Element, HtmlCanvasElement, HtmlScriptElement, HtmlSelectElement};
+use web_sys::{Element, HtmlCanvasElement, HtmlScriptElement};
 
 /// Loads the bundle for WebGL2 where there is nothing better, else the small one for WebGPU: that
 /// one can show the still picture just as well.
@@ -19,7 +19,7 @@ pub fn boot() {
     mark_ui();
     let adapter = ask_for_adapter();
     let begin = move || {
-        speak();
+        listen_for_languages();
         // What is told where nothing of this runs.
         if let Some(stuck) = element("stuck") {
             stuck.remove();
@@ -46,69 +46,30 @@ pub fn boot() {
     }
 }
 
-/// The languages of the page: its own, and those that the interpreter has a phrasebook of.
-const LANGUAGES: [&str; 4] = ["en", "pt", "es", "zh"];
+/// Loads what says the page in another language where one may be wished, be it later.
+fn listen_for_languages() {
+    let wished = chosen_language().or_else(|| window().navigator().language());
+    let address = JsString::from(window().location().href().unwrap_or_default());
+    if wished.is_some_and(|wished| !wished.starts_with("en")) || address.includes("lang=", 0) {
+        load_interpreter();
+    }
+    if let Some(choice) = element("language") {
+        // The same script once more does nothing.
+        let hear = Closure::<dyn FnMut()>::new(load_interpreter).into_js_value();
+        let _ = choice.add_event_listener_with_callback("change", hear.unchecked_ref());
+    }
+}
+
+fn load_interpreter() {
+    load("interpreter", || {});
+}
 
 /// Where the language that was chosen is kept.
-const CHOSEN: &str = "language";
+pub const CHOSEN: &str = "language";
 
-/// Has the page say what it says in the visitor's language: that of the address, `lang=pt`, else the one that was
-/// chosen here before, else the browser's.
-fn speak() {
-    let language = asked_language().unwrap_or_else(preferred_language);
-    let Some(select) = element("language") else { return };
-    let select: HtmlSelectElement = select.unchecked_into();
-    select.set_value(language);
-    speak_in(language);
-    let hear = Closure::<dyn FnMut()>::new({
-        let select = select.clone();
-        move || choose_language(&select.value())
-    });
-    let hear = hear.into_js_value();
-    let _ = select.add_event_listener_with_callback("change", hear.unchecked_ref());
-}
-
-/// The interpreter follows the document's language from then on, whatever it becomes.
-fn speak_in(language: &str) {
-    let Some(root) = document().document_element() else { return };
-    let is_there = root.get_attribute("lang").as_deref() == Some(language);
-    set_attribute(&root, "lang", language);
-    if !is_there {
-        // The same script once more does nothing.
-        load("interpreter", || {});
-    }
-}
-
-fn choose_language(language: &str) {
-    if let Ok(Some(storage)) = window().local_storage() {
-        let _ = storage.set_item(CHOSEN, language);
-    }
-    // An address that says another one would win when it is opened again.
-    if let (Some(asked), Ok(history)) = (asked_language(), window().history()) {
-        let [old, new] = [asked, language].map(said);
-        let address = address().replace(&old, &new);
-        let _ = history.replace_state_with_url(&JsValue::NULL, "", address.as_string().as_deref());
-    }
-    speak_in(language);
-}
-
-fn asked_language() -> Option<&'static str> {
-    let address = address();
-    LANGUAGES.into_iter().find(|language| address.includes(&said(language), 0))
-}
-
-fn preferred_language() -> &'static str {
-    let chosen = window().local_storage().ok().flatten().and_then(|s| s.get_item(CHOSEN).ok()?);
-    let wished = chosen.or_else(|| window().navigator().language()).unwrap_or_default();
-    LANGUAGES.into_iter().find(|language| wished.starts_with(language)).unwrap_or("en")
-}
-
-fn said(language: &str) -> String {
-    ["lang=", language].concat()
-}
-
-fn address() -> JsString {
-    window().location().href().unwrap_or_default().into()
+/// The language that was chosen the last time.
+pub fn chosen_language() -> Option<String> {
+    window().local_storage().ok()??.get_item(CHOSEN).ok()?
 }
 
 fn choose(has_webgpu: bool) {

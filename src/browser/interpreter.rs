@@ -1,8 +1,9 @@
 //! The interpreter: says what the page says in another language. It is a bundle of its own, which stands beside the
 //! page and hears all that is written into the document, so that the page knows English alone and who reads that
-//! loads none of it. Which language it is, the `lang` of the `<html>` element says.
+//! loads none of it. Which language it is, the `lang` of the `<html>` element says from then on.
 
-use super::dom::{document, set_attribute};
+use super::boot::{CHOSEN, chosen_language};
+use super::dom::{document, find, on, set_attribute, window};
 use super::files;
 use crate::play::phrasebook::{Numbers, PHRASEBOOKS, Phrasebook};
 use crate::play::protocol::BUILD;
@@ -11,8 +12,12 @@ use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::spawn_local;
 use web_sys::{
-    CharacterData, Element, MutationObserver, MutationObserverInit, MutationRecord, Node,
+    CharacterData, Element, Event, HtmlSelectElement, MutationObserver, MutationObserverInit,
+    MutationRecord, Node,
 };
+
+/// What the page itself speaks.
+const ENGLISH: &str = "en";
 
 /// Attributes that are read out or shown.
 const ATTRIBUTES: [&str; 6] =
@@ -58,13 +63,67 @@ pub fn start() {
     let root = document().document_element().expect("a document has a root");
     let _ = observer.observe_with_options(&root, &what);
     INTERPRETER.set(Some(Interpreter {
-        language: "en".to_string(),
+        language: ENGLISH.to_string(),
         book: None,
         texts: WeakMap::new(),
         attributes: std::array::from_fn(|_| WeakMap::new()),
         observer,
     }));
+    choose();
     agree();
+}
+
+/// Finds out which language is wished: the one that was chosen while this was loaded, else that of the address,
+/// `lang=pt`, else the one that was chosen before, else the browser's; and listens to what is chosen from now on.
+fn choose() {
+    let select: HtmlSelectElement = find("language");
+    if select.value() == ENGLISH {
+        let wished = asked_language().or_else(|| {
+            let wished = chosen_language().or_else(|| window().navigator().language())?;
+            languages().find(|language| wished.starts_with(language))
+        });
+        let language = wished.unwrap_or(ENGLISH);
+        select.set_value(language);
+        speak(language);
+    } else {
+        keep(&select.value());
+    }
+    let chosen = select.clone();
+    // It listens as long as the page is there.
+    std::mem::forget(on(&select, "change", move |_: Event| keep(&chosen.value())));
+}
+
+fn languages() -> impl Iterator<Item = &'static str> {
+    [ENGLISH].into_iter().chain(PHRASEBOOKS)
+}
+
+fn asked_language() -> Option<&'static str> {
+    let address = window().location().href().unwrap_or_default();
+    languages().find(|language| address.contains(&said(language)))
+}
+
+/// How an address says a language.
+fn said(language: &str) -> String {
+    format!("lang={language}")
+}
+
+/// Speaks a language and keeps it for the next time.
+fn keep(language: &str) {
+    if let Ok(Some(storage)) = window().local_storage() {
+        let _ = storage.set_item(CHOSEN, language);
+    }
+    // An address that says another one would win when it is opened again.
+    if let (Some(asked), Ok(history)) = (asked_language(), window().history()) {
+        let address = window().location().href().unwrap_or_default();
+        let address = address.replace(&said(asked), &said(language));
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
+    }
+    speak(language);
+}
+
+fn speak(language: &str) {
+    let root = document().document_element().expect("a document has a root");
+    set_attribute(&root, "lang", language);
 }
 
 /// Brings the language into agreement with the `<html>` element's.

@@ -18,7 +18,7 @@ use super::usdz::write_usdz;
 use crate::mosaic::Pattern;
 use crate::plants::{self, Show};
 use crate::play::{Scene, link};
-use crate::surface::{Body, Charts, Mesh, Ornament, flat_torus};
+use crate::surface::{Body, Charts, Mesh, Ornament, STROKES, flat_torus};
 use crate::tissue::{CLAN_STEPS, Diary, Growth, Noise, clan_step};
 use glam::DVec3;
 use std::io;
@@ -246,7 +246,7 @@ pub fn write_leaves(grown: &[(&Order, &Diary)]) -> Result<Written, String> {
         let painted = order.painted(diary, diary.days.len() - 1);
         order.specimen(painted.as_ref().unwrap_or(diary), |specimen| {
             let flats = Flats::new(specimen)?;
-            let has_veins = specimen.mesh.veins.any(u32::MAX);
+            let has_veins = specimen.mesh.veins.any(STROKES - 1);
             let set = set.get_or_insert_with(|| {
                 (link, told) = (specimen.link.clone(), flats.told());
                 LeafSet::new(&flats, grown.len() as u32, has_veins)
