@@ -91,8 +91,6 @@ impl Gallery {
             rows.into_iter().map(|figure| RowView::new(&list, figure, of_figures)).collect();
         set_text(&find("figures-title"), view.title);
         set_attribute(&find::<Element>("from-figures"), "href", with_fragment(back));
-        // Its style comes with it.
-        set_flag(&find("figures-style"), "disabled", false);
         set_flag(&root, "hidden", false);
         show_view(view.key);
         // One core is for the page.
