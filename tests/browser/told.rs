@@ -18,13 +18,13 @@ fn the_strip_shows_the_days_that_have_grown_and_marks_one() {
         page.wait_for(
             "the mark",
             &format!(
-                "return document.querySelector('#strip .now').getAttribute('d') === 'M{day} 0V1000'"
+                "return document.querySelector('#strip .now')?.getAttribute('d') === 'M{day} 0V1000'"
             ),
         );
     };
     marked(2);
     let whole = "const last = document.querySelector('#strip .number');
-                 return last.getAttribute('d').includes('L4 ')
+                 return last?.getAttribute('d').includes('L4 ')
                      && document.getElementById('strip').getAttribute('viewBox') === '0 0 4 1000'";
     page.wait_for("all days", whole);
     // Three colours, and two lines by number and by area.
