@@ -208,9 +208,7 @@ fn follow_own() {
 fn follow() {
     follow_own();
     let wanted = subject::view();
-    if wanted == codap::VIEW {
-        with(|studio| studio.codap.open());
-    }
+    with(|studio| studio.codap.follow(wanted == codap::VIEW));
     // Where several plants stand there is none that anything could be done with.
     let wanted = if asked_view(&fragment()).is_some() { "" } else { &wanted };
     let (view, of_it) = wanted.split_once('/').unwrap_or((wanted, ""));

@@ -150,3 +150,14 @@ fn a_document_of_codap_opens_with_what_it_showed() {
         assert_eq!(page.link(), "mushroom?v=1&s=9&d=2~codap");
     });
 }
+
+#[test]
+fn outside_of_codap_the_bar_goes_with_its_address() {
+    let Some(page) = Page::open(Graphics::Neither, "#mushroom?v=1&d=1~codap") else { return };
+    page.wait_for(
+        "what the address is for",
+        "return !!document.querySelector('#codap:not([hidden]) .told')?.textContent.includes('CODAP')",
+    );
+    page.run("location.hash = '#mushroom?v=1&d=2'");
+    page.wait_for("the plant alone", "return document.getElementById('codap').hidden");
+}

@@ -31,6 +31,7 @@ mod lessons;
 mod light;
 mod losses;
 mod measure;
+mod measure_class;
 mod measure_wished;
 mod offline;
 mod one_file;

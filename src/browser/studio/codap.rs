@@ -41,15 +41,21 @@ pub struct Codap {
 }
 
 impl Codap {
-    /// Opens the line, once; it stays as long as the page does.
-    pub fn open(&mut self) {
-        if std::mem::replace(&mut self.is_open, true) {
-            return;
+    /// Agrees with the address: the bar is there while it is wished, and in CODAP for good.
+    pub fn follow(&mut self, is_wanted: bool) {
+        if is_wanted && !std::mem::replace(&mut self.is_open, true) {
+            self.open();
         }
+        if self.is_open {
+            find::<HtmlElement>("codap").set_hidden(!is_wanted && self.phone.is_none());
+        }
+    }
+
+    /// Opens the line, which stays as long as the page does.
+    fn open(&mut self) {
         let stage = crate::browser::dom::document().body().expect("a page has a body");
         let _ = stage.insert_adjacent_html("beforeend", include_str!("codap.html"));
         let view: HtmlElement = find("codap");
-        view.set_hidden(false);
         for (button, days) in [(".this", "1"), (".all", "")] {
             std::mem::forget(on(&within::<Element>(&view, button), "click", move |_: Event| {
                 with(|studio| studio.codap.send(days));
