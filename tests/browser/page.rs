@@ -161,7 +161,11 @@ impl Page {
     /// Waits until something holds that only a script can tell.
     #[track_caller]
     pub fn wait_for(&self, what: &str, script: &str) {
-        self.wait(what, |_| self.run(script) == true);
+        // What it asks for may be yet to come.
+        let tried = format!(
+            "try {{ return (() => {{ {script} }})() }} catch (error) {{ return String(error) }}"
+        );
+        self.wait(what, |_| self.run(&tried) == true);
     }
 
     #[track_caller]
