@@ -120,8 +120,12 @@ pub fn tell(dialog: &Element, address: &str) {
     let (sheet, _, code) = chosen_sheet(dialog, address);
     let size = sheet.size_px();
     let lacks_code = is_checked(dialog, ".sheet-code") && code.is_none();
-    let why = if lacks_code { format!(". {}", picture::TOO_LONG) } else { String::new() };
-    set_text(&within(dialog, ".sheet-told"), &format!("{} × {} pixels{why}", size.x, size.y));
+    let mut told = format!("{} × {} pixels", size.x, size.y);
+    if lacks_code {
+        told += ". ";
+        told += picture::TOO_LONG;
+    }
+    set_text(&within(dialog, ".sheet-told"), &told);
 }
 
 /// Takes MP4 from the choices where the browser encodes none.
