@@ -133,15 +133,6 @@ fn add(mesh: &mut PolygonMesh, order: u32, points: &[glam::Vec3]) {
 /// # Errors
 /// As `Painted::read`.
 pub fn painted_of_link(link: &str) -> Option<Result<Painted, String>> {
-    let (_, beside) = link.split_once('~')?;
-    Painted::read(beside)
-}
-
-/// The strokes of a whole link, if its plant is a painted one.
-///
-/// # Errors
-/// As `Painted::read`.
-pub fn painted_of_link(link: &str) -> Option<Result<Painted, String>> {
     let [origin, _] = origin::parts(link.split_once('~')?.1);
     Painted::read(origin.trim_start_matches('~'))
 }
