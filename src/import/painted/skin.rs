@@ -63,7 +63,7 @@ impl Seen<'_> {
             let to = self.outline().pick_middle().map(|picked| self.spot_of(&picked));
             let from = stroke.points.last().copied();
             match from.zip(to) {
-                Some(ends) => stroke.points.extend(self.between(ends)),
+                Some((from, to)) => stroke.points.extend(self.between([from, to])),
                 None => stroke.points.extend(to),
             }
         }
@@ -133,7 +133,7 @@ impl Seen<'_> {
         let [from, to] = [from, to].map(|spot| mesh.point(spot.place()));
         (1..=STEPS)
             .map(move |k| from + (to - from) * (k as f32 / STEPS as f32))
-            .map(|at| Spot::of(nearest(mesh, at)))
+            .map(move |at| Spot::of(nearest(mesh, at)))
     }
 }
 

@@ -79,12 +79,12 @@ impl Paint {
     /// The workshop holds the plant ready.
     fn begin(&mut self, answer: &Array) {
         let Some(skin) = &mut self.skin else { return };
-        let is_new = skin.size_cm == 0.0;
+        let (base, is_new) = (skin.base, skin.size_cm == 0.0);
         skin.size_cm = answer.get(0).as_f64().unwrap_or(1.0) as f32;
         if is_new {
             let brushes: HtmlSelectElement = self.part(".brush");
             brushes.set_text_content(None);
-            for (word, told) in brushes_of(skin.base) {
+            for (word, told) in brushes_of(base) {
                 offer(&brushes, &word, &told);
             }
             self.say("");
