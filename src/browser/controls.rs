@@ -1,7 +1,7 @@
 //! The rest of the page: caption, individual, link, undo, help, and the state that the `<html>`
 //! element carries for tests and embedders.
 
-use super::address::{UI, wanted};
+use super::address::{UI, fragment, wanted};
 use super::app;
 use super::boot;
 use super::dom::{
@@ -187,10 +187,9 @@ pub fn another_individual() {
 /// Copies the link of what is shown; where the browser does not allow it, shows it to be copied.
 pub fn copy_link() {
     let mut address = app::address();
-    let beside = wanted();
-    // Strokes make the plant what it is.
-    if beside.starts_with("~painted/") {
-        address += &beside;
+    // What a plant of the visitor's own is made of.
+    if fragment().starts_with("#own-") {
+        address += &wanted();
     }
     spawn_local(async move {
         let clipboard = window().navigator().clipboard();

@@ -10,7 +10,7 @@ mod sheet;
 
 use super::studio::wish;
 use crate::plants;
-use crate::play::link;
+use crate::play::{link, origin};
 use crate::surface::unpack;
 use js_sys::{Array, Function, Promise, Uint8Array};
 use wasm_bindgen::prelude::*;
@@ -39,7 +39,7 @@ async fn develop(wish: &Array) -> Result<Vec<u8>, String> {
     // The mesh of a plant of the visitor's own says it.
     plants::bring(&mesh);
     let mesh = unpack(&mesh);
-    let scene = link::read(&link, plants::all()).scene;
+    let scene = link::read(origin::learn(&link), plants::all()).scene;
     match &*wanted {
         wish::FILM => film::film(&scene, &mesh, &more).await,
         _ => sheet::sheet(&scene, &mesh, &more).await,

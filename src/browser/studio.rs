@@ -9,6 +9,7 @@ mod charts;
 mod class;
 mod codap;
 mod darkroom;
+mod drawing;
 mod field;
 mod files;
 mod fit;
@@ -25,7 +26,6 @@ mod pupils;
 mod series;
 mod shape;
 mod simple;
-mod skin;
 mod sound;
 mod strokes;
 mod subject;
@@ -45,7 +45,6 @@ use fit::FitView;
 use in_words::InWords;
 use lessons::LessonView;
 use paint::Paint;
-use painted::Known;
 use presenter::Presenter;
 use pupils::Pupils;
 use series::Series;
@@ -84,7 +83,6 @@ struct Studio {
     codap: Codap,
     tour: Tour,
     paint: Paint,
-    painted: Known,
 }
 
 /// Puts the studio into the page, and opens what was wanted when it was loaded.
@@ -127,7 +125,6 @@ pub fn start() {
         codap: Codap::default(),
         tour: Tour::new(),
         paint: Paint::new(),
-        painted: Known::default(),
     }));
     // They are there as long as the page is.
     std::mem::forget(on(&find::<Element>("studio"), "click", |event: Event| {
@@ -147,13 +144,10 @@ pub fn start() {
     subject::on_change(|| {
         // What hears of a new address may not all have heard yet.
         presenter::after(0, || {
-            with(|studio| {
-                studio.painted.mend();
-                studio.paint.follow();
-            });
+            subject::mend();
+            with(|studio| studio.paint.follow());
         });
     });
-    subject::on_change(subject::forget_shape);
     pictures::follow_turns();
     let root = document().document_element().expect("a document has a root");
     if let Some(wanted) = root.get_attribute("data-studio") {
@@ -196,10 +190,9 @@ fn follow_own() {
     let root = document().document_element().expect("a document has a root");
     if let Some(asked) = root.get_attribute("data-own") {
         let _ = root.remove_attribute("data-own");
-        match subject::shape() {
-            words if !words.is_empty() => own::make_by_rule(asked, words),
-            _ if painted::make(&asked) => {}
-            _ => own::make_what_was_kept(asked),
+        match subject::origin() {
+            words if words.is_empty() => own::make_what_was_kept(asked),
+            words => own::make_anew(asked, words),
         }
     }
 }

@@ -2,14 +2,18 @@
 //! opens files that come back. It is a bundle of its own: what reads and writes files weighs more than all that
 //! the studio shows.
 
+mod brush;
+
 use super::studio::wish;
 use crate::export::{
     Fit, Kind, Order, SketchView, Want, grown, measured, sketch, told_of, write_picture, write_zip,
 };
-use crate::import::{Made, Own, Part, Photo, link_of_file, of_document, of_mesh, palette, types};
+use crate::import::{
+    Made, Own, Part, Photo, Skin, link_of_file, made_of_words, of_document, of_mesh, palette, types,
+};
 use crate::plants::{self, Plant};
 use crate::play::lesson::Measure;
-use crate::play::{Scene, link};
+use crate::play::{Scene, link, origin};
 use crate::surface::{Charts, unpack};
 use crate::tissue::{Growth, Progress};
 use js_sys::{Array, Float64Array, Uint8Array, Uint8ClampedArray};
@@ -18,12 +22,14 @@ use web_sys::{DedicatedWorkerGlobalScope, ImageData, MessageEvent};
 
 /// Listens for its wish, and for the next one when it has answered, which `studio/wish.rs` describes with its answers, and says hello before.
 pub fn listen() {
-    let hear = Closure::<dyn FnMut(MessageEvent)>::new(|message: MessageEvent| {
+    let mut skin: Option<Skin> = None;
+    let hear = Closure::<dyn FnMut(MessageEvent)>::new(move |message: MessageEvent| {
         let wish: Array = message.data().unchecked_into();
         let word = |k| wish.get(k).as_string().unwrap_or_default();
         let [wanted, link, mesh, name] = [word(0), word(1), word(2), word(3)];
-        // The mesh of a plant of the visitor's own says it.
+        // The mesh of a plant of the visitor's own says it, and its link what it is made of.
         plants::bring(&mesh);
+        origin::learn(&link);
         let bytes = || wish.get(3).unchecked_into::<Uint8Array>().to_vec();
         let answer = match Kind::of_word(&wanted) {
             Some(kind) => take(kind, &link, &mesh, &name),
@@ -39,7 +45,11 @@ pub fn listen() {
                 wish::SHAPE_NUMBERS => {
                     Made::of_words(&link).map(|made| file("", made.to_json().as_bytes()))
                 }
-                wish::GROW_SHAPE => Made::of_words(&link).and_then(|made| made.own()).map(of_own),
+                wish::ANEW => made_of_words(&link, &unpack(&mesh)).map(of_own),
+                wish::SKIN => brush::hold(&mut skin, &link, &unpack(&mesh)),
+                wish::STROKE => {
+                    brush::stroke(&skin, &scene_of(&link), &wish.get(3).unchecked_into())
+                }
                 _ => number(&link, &mesh, &name),
             },
         };

@@ -4,7 +4,7 @@
 use super::days::DayNumbers;
 use super::series::Grown;
 use crate::play::words::source;
-use crate::play::{Scene, link};
+use crate::play::{Scene, origin};
 
 /// A table: its name within CODAP and its collections, the outer one first.
 pub struct Table {
@@ -132,7 +132,7 @@ fn column((name, meaning): &Column) -> String {
 pub fn day_case(scene: &Scene, now: &DayNumbers, fingerprint: &str, address: &str) -> String {
     let plant = scene.plant;
     let pattern = &now.pattern;
-    let link = link::write(&Scene { day: now.day, ..scene.clone() });
+    let link = origin::whole_link(&Scene { day: now.day, ..scene.clone() });
     let [f, b, m] = plant.colour_names.map(json_text);
     let mut members = vec![
         ("plant", json_text(plant.name)),
@@ -166,7 +166,7 @@ pub fn individual_case(grown: &Grown, differs: &str, address: &str) -> String {
         ("cells", count.cells.to_string()),
     ];
     members.extend(shares(count.by_type.map(|of_type| f64::from(of_type) / cells)));
-    members.push(("link", json_text(&format!("{address}#{}", link::write(scene)))));
+    members.push(("link", json_text(&format!("{address}#{}", origin::whole_link(scene)))));
     object(&members)
 }
 
@@ -204,6 +204,7 @@ mod tests {
     use super::*;
     use crate::mosaic::Pattern;
     use crate::plants;
+    use crate::play::link;
     use crate::tissue::{CLAN_STEPS, DayCount};
     use serde_json::{Value, json};
 

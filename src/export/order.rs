@@ -17,7 +17,7 @@ use super::tile::Tile;
 use super::usdz::write_usdz;
 use crate::mosaic::Pattern;
 use crate::plants::{self, Show};
-use crate::play::{Scene, link};
+use crate::play::{Scene, origin};
 use crate::surface::{Body, Charts, Mesh, Ornament, STROKES, flat_torus};
 use crate::tissue::{CLAN_STEPS, Diary, Growth, Noise, clan_step};
 use glam::DVec3;
@@ -171,14 +171,15 @@ impl Order {
         Ok(Written { files: vec![table.into_bytes()], told })
     }
 
-    /// The link that shows it, or, of a plant that is not in the catalogue, its name.
+    /// The link that shows it, or, of a plant that no link can say, its name.
     fn link(&self, day: usize) -> String {
         let scene = &self.scene;
         let of_catalogue =
             plants::find(scene.plant.key).and_then(|newest| newest.under(scene.plant.rules as u32));
-        if of_catalogue == Some(scene.plant) {
-            let shown = Scene { day: day as u32, show: Show::Cells, ..scene.clone() };
-            return link::write(&shown);
+        let shown = Scene { day: day as u32, show: Show::Cells, ..scene.clone() };
+        let link = origin::whole_link(&shown);
+        if of_catalogue == Some(scene.plant) || link.contains('~') {
+            return link;
         }
         format!("plant document {}, individual {}, day {day}", scene.plant.key, scene.individual)
     }

@@ -217,9 +217,11 @@ fn whole(value: f64) -> String {
     grouped(value.round() as u32)
 }
 
+/// An English word with a large first letter: those of other alphabets would bring their tables along.
 fn capital(word: &str) -> String {
     let mut letters = word.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    let first = letters.next().map(|first| first.to_ascii_uppercase());
+    first.into_iter().chain(letters).collect()
 }
 
 #[cfg(test)]

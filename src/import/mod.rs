@@ -8,14 +8,12 @@ mod palette;
 mod photo;
 
 use crate::plants::{self, Look};
-use crate::play::{FIRST_INDIVIDUAL, Scene, link};
+use crate::play::{FIRST_INDIVIDUAL, Scene, link, origin};
 use crate::surface::quoted;
 use crate::tissue::Recipe;
 pub use made::Made;
 pub use own::{Own, of_document, of_mesh};
-pub use painted::{
-    Brush, MOST_RADIUS, PAINTED, Painted, Spot, Stroke, Way, lines_of, nearest, painted_of_link,
-};
+pub use painted::{Brush, MOST_RADIUS, Painted, Skin, Spot, Stroke, Way, painted_of_link};
 pub use palette::{Palette, Part, Photo, palette};
 pub use photo::{coloured, matched, patterned, types};
 use serde_json::Value;
@@ -40,6 +38,18 @@ pub fn link_of_file(bytes: &[u8], now: &Scene) -> Result<String, String> {
                     .to_string()
             })
         }
+    }
+}
+
+/// The plant of the words that stand behind the `~` of its link: of a body by rule, or of strokes on a plant, of which
+/// `obj` is the text of its mesh.
+///
+/// # Errors
+/// In plain words, why there is none.
+pub fn made_of_words(words: &str, obj: &str) -> Result<Own, String> {
+    match Painted::read(words) {
+        Some(painted) => painted?.make(obj),
+        None => Made::of_words(words)?.own(),
     }
 }
 
@@ -71,18 +81,30 @@ fn gif_comment(bytes: &[u8]) -> Option<Vec<u8>> {
     Some(text)
 }
 
-/// The first link that stands in a file as text: all of ours are written so.
+/// The first link that stands in a file as text: all of ours are written so. Of a plant of the visitor's own it is one
+/// that says what that is made of.
 fn link_within(bytes: &[u8]) -> Option<String> {
     const MARK: &[u8] = b"?v=";
     let marks = bytes.windows(MARK.len()).enumerate().filter(|(_, window)| *window == MARK);
     marks.map(|(at, _)| at).find_map(|at| {
-        let of_name = |b: &u8| b.is_ascii_lowercase() || *b == b'-';
+        let of_name = |b: &u8| b.is_ascii_lowercase() || b.is_ascii_digit() || *b == b'-';
         let of_query = |b: &u8| b.is_ascii_alphanumeric() || b"=&.,-+;_?".contains(b);
+        let of_origin = |b: &u8| of_query(b) || b"~:/".contains(b);
         let name = bytes[..at].iter().rev().take_while(|b| of_name(b)).count();
         let query = bytes[at..].iter().take_while(|b| of_query(b)).count();
         let text = std::str::from_utf8(&bytes[at - name..at + query]).ok()?;
-        plants::find(text.split('?').next()?)?;
-        Some(link::write(&link::read(text, plants::all()).scene))
+        // No name begins so.
+        let text = text.trim_start_matches(|c: char| c.is_ascii_digit());
+        let key = text.split('?').next()?;
+        if plants::find(key).is_some() {
+            return Some(link::write(&link::read(text, plants::all()).scene));
+        }
+        // Nobody knows it yet, so that its link stays as it is written.
+        let beside = bytes[at + query..].iter().take_while(|b| of_origin(b)).count();
+        let beside = std::str::from_utf8(&bytes[at + query..at + query + beside]).ok()?;
+        let [origin, _] = origin::parts(beside);
+        let is_made = key.starts_with(plants::OWN) && !origin.is_empty();
+        is_made.then(|| format!("{}{origin}", text.replace("&amp;", "&")))
     })
 }
 
@@ -173,7 +195,13 @@ mod tests {
         ] {
             assert_eq!(link_of_file(&file, &scene("")).as_deref(), Ok(link));
         }
-        for other in [&b""[..], b"what?v=1&s=2", b"?v=", b"\xff\xfe\x80"] {
+        let made = "own-k3f7a2?v=2&s=1&d=3&df=6.5~painted/croton/2/f.500.wm.k3f7a2-n.40.p.k00";
+        let file = format!("<desc>Clonal Mosaic {}</desc>", made.replace('&', "&amp;"));
+        assert_eq!(link_of_file(file.as_bytes(), &scene("")).as_deref(), Ok(made));
+        let file = b"ply\ncomment own-k3f7a2?v=2&s=1~leaf=on:croton.2,lobes:7\nend_header\n";
+        let made = "own-k3f7a2?v=2&s=1~leaf=on:croton.2,lobes:7";
+        assert_eq!(link_of_file(file, &scene("")).as_deref(), Ok(made));
+        for other in [&b""[..], b"what?v=1&s=2", b"own-k3f7a2?v=2&s=1", b"?v=", b"\xff\xfe\x80"] {
             assert!(link_of_file(other, &scene("")).unwrap_err().contains("no link"));
         }
     }

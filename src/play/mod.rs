@@ -18,6 +18,7 @@ pub mod link;
 mod meshes;
 mod narration;
 pub mod offline;
+pub mod origin;
 pub mod outline;
 pub mod page;
 pub mod parameters;

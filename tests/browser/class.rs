@@ -22,7 +22,7 @@ fn is_seen(page: &Page, css: &str) -> bool {
 }
 
 /// What the QR code that is seen there says, read off its pixels.
-fn read_code(page: &Page, css: &str) -> String {
+pub fn read_code(page: &Page, css: &str) -> String {
     let png = page.png(css);
     let mut reader = png::Decoder::new(std::io::Cursor::new(png)).read_info().unwrap();
     let mut data = vec![0; reader.output_buffer_size().unwrap()];

@@ -12,6 +12,8 @@ use std::io::Write;
 /// Bytes that a visitor may have to download, compressed, until cells are seen.
 const MOST_BYTES_WEBGPU: usize = 320_000;
 const MOST_BYTES_WEBGL2: usize = 1_020_000;
+/// And when something of the studio is first wanted.
+const MOST_BYTES_STUDIO: usize = 256_000;
 
 /// Nothing that exists, asked for when the first live picture stands.
 const MARKER: &str = "the-plant-lives";
@@ -115,4 +117,13 @@ fn the_first_picture_is_light_with_webgpu() {
 #[test]
 fn the_first_picture_is_light_with_webgl2() {
     assert_light(Graphics::WebGl2, MOST_BYTES_WEBGL2);
+}
+
+#[test]
+fn what_the_studio_shows_is_light() {
+    let names = std::fs::read_dir(dist()).expect("a built page");
+    let mut names = names.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    let folder = names.find(|name| name.starts_with("bundles-")).expect("bundles");
+    let bytes = gzipped_bytes(&format!("{folder}/studio_bg.wasm"));
+    assert!(bytes <= MOST_BYTES_STUDIO, "{bytes} bytes");
 }

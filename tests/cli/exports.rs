@@ -1,6 +1,9 @@
 //! What `mosaic export` writes, read back by the readers of others.
 
 use crate::{json, mosaic, path, succeed};
+use clonal_mosaic::import::{link_of_file, made_of_words};
+use clonal_mosaic::plants;
+use clonal_mosaic::play::link;
 use gltf::mesh::util::ReadIndices;
 use std::fs;
 
@@ -316,6 +319,19 @@ fn a_link_is_exported_with_its_own_day_and_numbers() {
     let materials = fs::read_to_string(path.replace(".obj", ".mtl")).unwrap();
     assert!(materials.contains("newmtl B\nKd 0."), "{materials}");
     assert!(fs::read_to_string(&path).unwrap().contains(link));
+}
+
+#[test]
+fn the_link_of_a_plant_of_ones_own_says_what_that_is_made_of() {
+    for words in ["painted/watermelon/2/f.900.w.5z00", "leaf=lobes:1"] {
+        let below = plants::find("watermelon").unwrap().body.mesh.text;
+        let key = made_of_words(words, below).unwrap().key;
+        let link = format!("{key}?v=2&s=1&d=0&n=3000~{words}");
+        let path = path("own.ply");
+        succeed(&["export", "--link", &link, "--ply", &path]);
+        let now = link::read("", plants::all()).scene;
+        assert_eq!(link_of_file(&fs::read(&path).unwrap(), &now), Ok(link));
+    }
 }
 
 #[test]

@@ -3,9 +3,9 @@
 use super::Refusal;
 use super::options::{FIRST_PLANT, GrowOptions, Source};
 use super::output::cannot;
-use clonal_mosaic::import::painted_of_link;
+use clonal_mosaic::import::{made_of_words, painted_of_link};
 use clonal_mosaic::plants::{self, Plant};
-use clonal_mosaic::play::{FIRST_INDIVIDUAL, Scene, link};
+use clonal_mosaic::play::{FIRST_INDIVIDUAL, Scene, link, origin};
 use clonal_mosaic::surface::{Body, Brought, Mesh, quoted};
 use clonal_mosaic::tissue::{Growth, Noise, Recipe};
 use glam::DVec3;
@@ -145,7 +145,7 @@ fn scene_of_link(text: &str) -> Result<Scene, Refusal> {
         None if text.contains("://") => "",
         None => text,
     };
-    bring_painted(fragment)?;
+    bring_made(fragment)?;
     let opened = link::read(fragment, plants::all());
     if !opened.left_out.is_empty() {
         return Err(format!("the link: {}", opened.left_out.join(" ")));
@@ -153,16 +153,20 @@ fn scene_of_link(text: &str) -> Result<Scene, Refusal> {
     Ok(opened.scene)
 }
 
-/// Makes the plant of a link that says how it was painted.
-fn bring_painted(fragment: &str) -> Result<(), Refusal> {
-    let Some(painted) = painted_of_link(fragment) else { return Ok(()) };
-    let own = painted.and_then(|painted| painted.make(painted.base.body.mesh.text));
+/// Makes the plant of a link that says what it is made of.
+fn bring_made(fragment: &str) -> Result<(), Refusal> {
+    let link = origin::learn(fragment);
+    let words = origin::of_link(link);
+    let Some(words) = words.strip_prefix('~') else { return Ok(()) };
+    // Of strokes the plant below them.
+    let below = painted_of_link(fragment).and_then(Result::ok);
+    let own = made_of_words(words, below.map_or("", |painted| painted.base.body.mesh.text));
     let own = own.map_err(|why| format!("the link: {why}"))?;
     plants::bring(&own.text);
-    let named = fragment.split('?').next().unwrap_or_default();
+    let named = link.split('?').next().unwrap_or_default();
     match named == own.key {
         true => Ok(()),
-        false => Err(format!("the link: its strokes make {}, and not {}", own.key, quoted(named))),
+        false => Err(format!("the link: its words make {}, and not {}", own.key, quoted(named))),
     }
 }
 

@@ -6,7 +6,7 @@ use super::paper::Paper;
 use super::{a_moment, tell, text};
 use crate::export::{Act, Film, FilmFormat, Gif};
 use crate::plants::Show;
-use crate::play::{Scene, link};
+use crate::play::{Scene, origin};
 use glam::UVec2;
 use js_sys::Array;
 use wasm_bindgen::JsCast;
@@ -41,7 +41,7 @@ pub async fn film(scene: &Scene, mesh: &str, more: &Array) -> Result<Vec<u8>, St
                 encoder.add(&set.paper.canvas, k).await?;
                 done(k);
             }
-            encoder.finish(&link::write(scene)).await
+            encoder.finish(&origin::whole_link(scene)).await
         }
         FilmFormat::Gif => {
             let mut gif = set.begin_gif(&film)?;
@@ -105,7 +105,7 @@ impl Set<'_> {
         }
         let size_px = film.size_px.map(|length| length as u16);
         let delay_cs = (100 / film.frames_per_s()) as u16;
-        Gif::new(size_px, delay_cs, &sample, &link::write(self.scene))
+        Gif::new(size_px, delay_cs, &sample, &origin::whole_link(self.scene))
             .map_err(|why| unwritten(&why))
     }
 }

@@ -4,7 +4,7 @@ use super::easel::{Easel, Shot};
 use super::paper::Paper;
 use super::{a_moment, tell, text};
 use crate::export::{CodePlace, Sheet, SheetSize, TILE_PX, with_link};
-use crate::play::{Scene, link};
+use crate::play::{Scene, origin};
 use glam::UVec2;
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::JsCast;
@@ -64,7 +64,7 @@ pub async fn sheet(scene: &Scene, mesh: &str, more: &Array) -> Result<Vec<u8>, S
     let blob: Blob = JsFuture::from(blob).await.map_err(|_| unwritten)?.unchecked_into();
     let png = JsFuture::from(blob.array_buffer()).await.map_err(|_| unwritten)?;
     let png = Uint8Array::new(&png).to_vec();
-    Ok(with_link(&png, &link::write(scene), sheet.per_metre).ok_or(unwritten)?)
+    Ok(with_link(&png, &origin::whole_link(scene), sheet.per_metre).ok_or(unwritten)?)
 }
 
 /// Writes the caption and draws the code under the picture.

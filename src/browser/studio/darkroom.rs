@@ -117,8 +117,15 @@ pub fn tell(dialog: &Element, address: &str) {
         &within(dialog, ".film-told"),
         &format!("{frames} frames, {seconds} s, {width} × {height} pixels{size}"),
     );
-    let size = chosen_sheet(dialog, address).0.size_px();
-    set_text(&within(dialog, ".sheet-told"), &format!("{} × {} pixels", size.x, size.y));
+    let (sheet, _, code) = chosen_sheet(dialog, address);
+    let size = sheet.size_px();
+    let lacks_code = is_checked(dialog, ".sheet-code") && code.is_none();
+    let mut told = format!("{} × {} pixels", size.x, size.y);
+    if lacks_code {
+        told += ". ";
+        told += picture::TOO_LONG;
+    }
+    set_text(&within(dialog, ".sheet-told"), &told);
 }
 
 /// Takes MP4 from the choices where the browser encodes none.
@@ -159,7 +166,7 @@ fn film(dialog: &Element) -> Film {
 fn chosen_sheet(dialog: &Element, address: &str) -> (Sheet, String, Option<(String, u32)>) {
     let word = chosen(dialog, ".sheet-size");
     let size = SheetSize::of_word(&word).unwrap_or(SheetSize::Screen(1));
-    let code = picture::qr(address).filter(|_| is_checked(dialog, ".sheet-code"));
+    let code = is_checked(dialog, ".sheet-code").then(|| picture::qr(address)).flatten();
     let code = code.map(|(view_box, path)| {
         let side = view_box.rsplit(' ').next().and_then(|side| side.parse().ok());
         (path, side.unwrap_or(0))

@@ -17,6 +17,7 @@ pub fn print_code() {
     let _ = caption.insert_adjacent_html("beforeend", html);
     // After the page, which has written its link by then.
     std::mem::forget(on(&window(), "beforeprint", |_: Event| {
+        subject::print_origin();
         let address = find::<Element>("printed-link").text_content().unwrap_or_default();
         picture::show_qr(&find("printed-code"), &format!("{address}{}", super::pupils::beside()));
     }));

@@ -2,13 +2,14 @@
 
 use super::files::{begin, tell};
 use super::subject::{self, link_of};
-use super::wish::{GROW_SHAPE, OWN};
+use super::wish::{ANEW, OWN};
 use super::with;
 use super::work::Said;
 use crate::browser::dom::{document, find, set_attribute, window};
 use crate::browser::files;
+use crate::import::Painted;
 use crate::plants::{self, Plant};
-use crate::play::{FIRST_INDIVIDUAL, Scene, link};
+use crate::play::{FIRST_INDIVIDUAL, Scene, link, origin};
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::JsValue;
 use wasm_bindgen_futures::spawn_local;
@@ -96,34 +97,54 @@ fn show(key: &str, text: &str, asked: Option<&str>) {
     let Some(plant) = put(key, text) else { return };
     match asked {
         Some(link) => subject::show(link.trim_start_matches('#')),
-        None => subject::show(&link::write(&Scene::preset(plant, FIRST_INDIVIDUAL))),
+        None => show_preset(plant),
     }
 }
 
-/// Makes the plant of a body by rule that a link asks for, by the words beside it, and shows it as the link says.
-pub fn make_by_rule(asked: String, words: String) {
-    let beside = words.clone();
-    let hear = move |said: Said| match said {
-        Said::Day(_) => {}
-        Said::Refused(why) => tell(&format!("The body of this link cannot be made: {why}.")),
-        Said::Done(answer) => {
-            let [key, text] = [0, 1].map(|k| answer.get(k).as_string().unwrap_or_default());
-            match asked.split_once('?') {
-                Some((_, query)) if put(&key, &text).is_some() => {
-                    subject::go(&format!("{key}?{query}"), &beside);
+/// Makes the plant that a link asks for of the words beside it, a body by rule or strokes, and shows it as the link says.
+pub fn make_anew(asked: String, words: String) {
+    subject::is_coming(true);
+    spawn_local(async move {
+        // Of strokes the plant below them.
+        let mesh = match Painted::read(&words) {
+            Some(Ok(Painted { base, .. })) => files::read_mesh(base.body.mesh.name).await,
+            _ => Ok(String::new()),
+        };
+        let made_of = words.clone();
+        let hear = move |said: Said| {
+            subject::is_coming(false);
+            match said {
+                Said::Day(_) => {}
+                Said::Refused(why) => {
+                    tell(&format!("The plant of this link cannot be made: {why}."))
                 }
-                _ => show_by_rule(&key, &text, &beside),
+                Said::Done(answer) => {
+                    let Some(plant) = put_made(&answer, &made_of) else { return };
+                    // Another build may call it otherwise.
+                    match asked.split_once('?') {
+                        Some((_, query)) => subject::show(&format!("{}?{query}", plant.key)),
+                        None => show_preset(plant),
+                    }
+                }
             }
+        };
+        match mesh {
+            Ok(mesh) => begin([ANEW, &words, &mesh], JsValue::NULL, hear),
+            Err(why) => hear(Said::Refused(why)),
         }
-    };
-    begin([GROW_SHAPE, &words, ""], JsValue::NULL, hear);
+    });
 }
 
-/// Shows a plant that was made on a body by rule, beside the words of that.
-pub fn show_by_rule(key: &str, text: &str, words: &str) {
-    if let Some(plant) = put(key, text) {
-        subject::go(&link::write(&Scene::preset(plant, FIRST_INDIVIDUAL)), words);
-    }
+/// Puts a plant into the page that the workshop has made of words.
+pub fn put_made(answer: &Array, words: &str) -> Option<&'static Plant> {
+    let [key, text] = [0, 1].map(|k| answer.get(k).as_string().unwrap_or_default());
+    origin::know(&key, words);
+    put(&key, &text)
+}
+
+/// Shows a plant as its preset is.
+pub fn show_preset(plant: &'static Plant) {
+    subject::show(&link::write(&Scene::preset(plant, FIRST_INDIVIDUAL)));
 }
 
 /// Puts a plant into the page.
@@ -134,7 +155,7 @@ fn put(key: &str, text: &str) -> Option<&'static Plant> {
 }
 
 /// Puts the text of a plant where the page looks for it.
-pub fn hold(key: &str, text: &str) {
+fn hold(key: &str, text: &str) {
     let id = format!("meshes/{key}.txt");
     if document().get_element_by_id(&id).is_none()
         && let Ok(holder) = document().create_element("script")

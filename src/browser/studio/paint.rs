@@ -1,44 +1,38 @@
 //! The brushes: what is drawn over the plant goes on its skin, and makes a plant of the visitor's own.
 
-use super::brushes::brushes_of;
-use super::painted;
-use super::skin::{Seen, Skin};
-use super::{subject, with};
+mod making;
+
+use super::drawing::Drawing;
+use super::work::Work;
+use super::{brushes, painted, with};
 use crate::browser::dom::{
-    Listener, document, find, offer, on, on_first, set_attribute, set_flag, set_text, within,
+    Listener, document, find, on, on_first, set_attribute, set_flag, set_text, within,
 };
 use crate::browser::files;
-use crate::import::{Brush, MOST_RADIUS, Painted, Spot, Stroke, Way};
-use crate::surface::unpack;
+use crate::import::{Painted, Spot, Stroke};
 use glam::Vec2;
+use making::{Asked, Skin};
+use std::collections::VecDeque;
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::spawn_local;
-use web_sys::{
-    Element, Event, HtmlElement, HtmlInputElement, HtmlSelectElement, KeyboardEvent, PointerEvent,
-};
-
-/// Pixels between the points of a stroke that is drawn by hand, at least.
-const APART_PX: f32 = 6.0;
-/// Steps of the slider for the radius in the size of the plant, squared: small brushes are set finely.
-const RADIUS_STEPS: f32 = 80.0;
+use web_sys::{Element, Event, HtmlElement, HtmlInputElement, KeyboardEvent, PointerEvent};
 
 pub struct Paint {
     card: HtmlElement,
     /// Over the stage: what is drawn, at once.
     sheet: Element,
     skin: Option<Skin>,
-    drawing: Option<Drawing>,
+    /// The workshop, as long as the card is open.
+    work: Option<Work>,
+    /// What it is at.
+    asked: Option<Asked>,
+    /// Strokes that are not on the plant yet, the first one first.
+    drawings: VecDeque<Drawing>,
+    /// The strokes that the plant is to have next.
+    wished: Option<Painted>,
     /// Where a straight line of the keyboard begins.
     start: Option<Spot>,
     _listeners: Vec<Listener>,
-}
-
-/// A stroke that is being drawn.
-struct Drawing {
-    seen: Seen,
-    spots: Vec<Spot>,
-    from_px: Vec2,
-    last_px: Vec2,
 }
 
 impl Paint {
@@ -72,12 +66,22 @@ impl Paint {
             pointer("pointerdown", Paint::press),
             pointer("pointermove", Paint::drag),
             pointer("pointerup", Paint::lift),
-            pointer("pointercancel", |paint, _| paint.forget()),
+            pointer("pointercancel", |paint, _| paint.let_go()),
         ]);
         listeners.push(on_first(&document(), "keydown", |event: KeyboardEvent| {
             with(|studio| studio.paint.hear_key(&event));
         }));
-        Paint { card, sheet, skin: None, drawing: None, start: None, _listeners: listeners }
+        Paint {
+            card,
+            sheet,
+            skin: None,
+            work: None,
+            asked: None,
+            drawings: VecDeque::new(),
+            wished: None,
+            start: None,
+            _listeners: listeners,
+        }
     }
 
     pub fn open(&mut self) {
@@ -87,29 +91,17 @@ impl Paint {
         let base = painted::now().base;
         spawn_local(async move {
             let mesh = files::read_mesh(base.body.mesh.name).await;
-            let skin = mesh.and_then(|mesh| Skin::new(base, unpack(&mesh)));
-            with(|studio| match skin {
-                Ok(skin) => studio.paint.begin(skin),
+            with(|studio| match mesh {
+                Ok(mesh) => studio.paint.hold(Skin { base, mesh, size_cm: 0.0 }),
                 Err(why) => studio.paint.say(&format!("The plant's body did not come: {why}.")),
             });
         });
     }
 
-    fn begin(&mut self, skin: Skin) {
-        let brushes: HtmlSelectElement = self.part(".brush");
-        brushes.set_text_content(None);
-        for (word, told) in brushes_of(skin.base) {
-            offer(&brushes, &word, &told);
-        }
-        self.skin = Some(skin);
-        self.say("");
-        self.agree();
-    }
-
     /// Closes the card, and leaves the plant as it is.
     pub fn close(&mut self) {
         self.forget();
-        self.skin = None;
+        (self.skin, self.work, self.asked) = (None, None, None);
         self.card.set_hidden(true);
         self.agree();
         let _ = find::<HtmlElement>("stage").focus();
@@ -117,15 +109,11 @@ impl Paint {
 
     /// Agrees with what is chosen, and with the plant that is there.
     pub fn agree(&mut self) {
-        let is_open = self.skin.is_some();
+        let is_open = self.is_ready();
         let turns = self.part::<HtmlInputElement>(".turn").checked();
         set_flag(&self.sheet, "data-on", is_open && !turns);
-        let is_scale = matches!(self.word().as_str(), "r" | "p" | "df" | "db" | "dm");
-        set_flag(&self.part::<Element>(".how-much"), "hidden", !is_scale);
-        set_flag(&self.part::<Element>(".of-radius"), "hidden", self.way() == "p");
+        brushes::agree(&self.card, self.size_cm());
         if is_open {
-            let told = format!("{} cm", f64::from(self.radius()) / 1000.0);
-            set_text(&self.part::<Element>(".radius-told"), &told);
             let none = painted::now().strokes.is_empty();
             set_flag(&self.part::<Element>(".undo"), "disabled", none);
             set_flag(&self.part::<Element>(".clear"), "disabled", none);
@@ -135,161 +123,121 @@ impl Paint {
     /// The page shows something else than before.
     pub fn follow(&mut self) {
         let root = document().document_element().expect("a document has a root");
-        if self.drawing.is_none() && root.get_attribute("data-state").as_deref() == Some("ready") {
+        if self.drawings.is_empty() && root.get_attribute("data-state").as_deref() == Some("ready")
+        {
             self.sheet.set_text_content(None);
         }
         let Some(skin) = &self.skin else { return };
         if painted::now().base == skin.base { self.agree() } else { self.close() }
     }
 
+    /// Whether the workshop holds the plant ready.
+    fn is_ready(&self) -> bool {
+        self.size_cm() > 0.0
+    }
+
+    fn size_cm(&self) -> f32 {
+        self.skin.as_ref().map_or(0.0, |skin| skin.size_cm)
+    }
+
+    /// The stroke that would be drawn, without points yet, and whether that is a straight line.
+    fn chosen(&self) -> Option<(Stroke, bool)> {
+        let chosen = brushes::chosen(&self.card, self.size_cm());
+        if chosen.is_none() {
+            self.say("Say how much, in per cent from 0 to 1000.");
+        }
+        chosen
+    }
+
     fn press(&mut self, event: &PointerEvent) {
-        let Some(skin) = &self.skin else { return };
         // The other buttons and a second finger move the plant.
         if event.button() != 0 || event.shift_key() || !event.is_primary() {
-            return self.forget();
+            return self.let_go();
         }
-        let (seen, at_px) = (skin.seen(), place(event, &self.sheet));
-        // Beside the plant a hand turns it.
-        let Some(spot) = seen.spot(at_px) else { return };
+        if !self.is_ready() {
+            return;
+        }
+        let Some((stroke, is_straight)) = self.chosen() else { return };
         event.stop_propagation();
         let _ = self.sheet.set_pointer_capture(event.pointer_id());
-        self.drawing = Some(Drawing { seen, spots: vec![spot], from_px: at_px, last_px: at_px });
-        self.draw();
+        if self.drawings.is_empty() {
+            self.sheet.set_text_content(None);
+        }
+        let at_px = place(event, &self.sheet);
+        self.drawings.push_back(Drawing::press(stroke, is_straight, at_px, event.clone()));
+        self.go_on();
+    }
+
+    /// The stroke that a pointer draws which is still down.
+    fn in_hand(&mut self) -> Option<&mut Drawing> {
+        self.drawings.back_mut().filter(|drawing| drawing.is_in_hand())
     }
 
     fn drag(&mut self, event: &PointerEvent) {
-        let (way, at_px) = (self.way(), place(event, &self.sheet));
-        let Some(drawing) = &mut self.drawing else { return };
-        event.stop_propagation();
-        if at_px.distance(drawing.last_px) < APART_PX {
-            return;
+        let at_px = place(event, &self.sheet);
+        if let Some(drawing) = self.in_hand() {
+            event.stop_propagation();
+            drawing.drag(at_px);
+            self.go_on();
         }
-        drawing.last_px = at_px;
-        match &*way {
-            "w" => drawing.spots.extend(drawing.seen.spot(at_px)),
-            "l" => {
-                let from = drawing.from_px;
-                let steps = (from.distance(at_px) / (2.0 * APART_PX)) as u32 + 1;
-                let along = (0..=steps).map(|k| from.lerp(at_px, k as f32 / steps as f32));
-                drawing.spots = along.filter_map(|at| drawing.seen.spot(at)).collect();
-            }
-            _ => drawing.spots = drawing.seen.spot(at_px).into_iter().collect(),
-        }
-        self.draw();
     }
 
     fn lift(&mut self, event: &PointerEvent) {
-        let Some(drawing) = self.drawing.take() else { return };
-        event.stop_propagation();
-        self.add(drawing.spots);
-    }
-
-    /// Shows the stroke as far as it is drawn.
-    fn draw(&self) {
-        let Some(Drawing { seen, spots, .. }) = &self.drawing else { return };
-        if let Some(stroke) = self.stroke(spots.clone()) {
-            self.show(seen, &stroke);
+        if let Some(drawing) = self.in_hand() {
+            event.stop_propagation();
+            drawing.lift();
+            self.go_on();
         }
     }
 
-    fn show(&self, seen: &Seen, stroke: &Stroke) {
-        let (lines, width_px) = seen.lines(stroke);
-        let colour = self.colour(stroke.brush);
-        let line = |points: &Vec<Vec2>| {
-            // A dab is a line to itself.
-            let last = points.last().into_iter();
-            let points = points.iter().chain(last).map(|at| format!("{},{}", at.x, at.y));
-            format!("<polyline points='{}'/>", points.collect::<Vec<_>>().join(" "))
-        };
-        let lines: String = lines.iter().map(line).collect();
-        self.sheet.set_inner_html(&format!(
-            "<g stroke='{colour}' stroke-opacity='.6' stroke-width='{width_px}'>{lines}</g>"
-        ));
-    }
-
-    /// The colour in which a brush draws: that of its type, or ink.
-    fn colour(&self, brush: Brush) -> String {
-        let look = subject::wished().look;
-        let [r, g, b] = match brush {
-            Brush::Put(kind) | Brush::Only(kind) => look.cells[kind as usize],
-            Brush::Erase | Brush::Never(_) => [1.0; 3],
-            Brush::Lead => [0.1, 0.1, 0.35],
-            _ => [0.75, 0.3, 0.2],
+    /// Gives up the stroke that is in hand.
+    fn let_go(&mut self) {
+        if self.in_hand().is_some() {
+            self.give_up();
         }
-        .map(|part| (part * 255.0) as u8);
-        format!("#{r:02x}{g:02x}{b:02x}")
     }
 
-    fn stroke(&self, points: Vec<Spot>) -> Option<Stroke> {
-        let word = self.word();
-        let percent = self.part::<HtmlInputElement>(".percent").value();
-        let with_percent = format!("{word}{percent}");
-        let brush = Brush::of_word(&word).or_else(|| Brush::of_word(&with_percent))?;
-        let way = match &*self.way() {
-            "r" => Way::Around,
-            "a" => Way::Along,
-            "p" => Way::Part,
-            _ => Way::Free,
-        };
-        let is_mirrored = self.part::<HtmlInputElement>(".mirror").checked();
-        (!points.is_empty()).then(|| Stroke {
-            brush,
-            radius: self.radius(),
-            way,
-            is_mirrored,
-            points,
-        })
+    /// Gives up the last stroke that is not on the plant yet; false without one.
+    fn give_up(&mut self) -> bool {
+        let is_there = self.drawings.pop_back().is_some();
+        if self.drawings.is_empty() {
+            self.sheet.set_text_content(None);
+            if let Some(Asked::Places) = self.asked {
+                self.asked = Some(Asked::Nothing);
+            }
+        }
+        is_there
     }
 
-    /// Adds a stroke to those of the plant.
-    fn add(&mut self, mut points: Vec<Spot>) {
-        points.dedup();
-        let Some(stroke) = self.stroke(points) else {
-            return self.say("Say how much, in per cent from 0 to 1000.");
-        };
-        let mut painted = painted::now();
-        painted.strokes.push(stroke);
-        self.make(painted);
-    }
-
-    fn make(&mut self, painted: Painted) {
-        self.start = None;
-        let Some(obj) = self.skin.as_ref().map(|skin| skin.obj.clone()) else { return };
-        // What is made is known to the studio, which is in hand now.
-        super::presenter::after(0, move || {
-            let shown = painted::show(&painted, &obj);
-            with(|studio| match shown {
-                Ok(()) => {
-                    let told = match painted.strokes.len() {
-                        0 => "As the plant was before.".to_string(),
-                        1 => "1 stroke.".to_string(),
-                        strokes => format!("{strokes} strokes."),
-                    };
-                    studio.paint.say(&told);
-                    studio.paint.agree();
-                }
-                Err(why) => {
-                    studio.paint.forget();
-                    studio.paint.say(&format!("This cannot be painted: {why}."));
-                }
-            });
-        });
+    fn forget(&mut self) {
+        while self.give_up() {}
+        (self.wished, self.start) = (None, None);
     }
 
     fn undo(&mut self) {
-        let mut painted = painted::now();
-        if painted.strokes.pop().is_some() {
-            self.make(painted);
+        if !self.give_up() {
+            let mut painted = self.latest();
+            painted.strokes.pop();
+            self.wish(painted);
         }
     }
 
     fn clear(&mut self) {
         let base = painted::now().base;
-        self.make(Painted { base, strokes: Vec::new() });
+        self.forget();
+        self.wish(Painted { base, strokes: Vec::new() });
+    }
+
+    fn wish(&mut self, painted: Painted) {
+        self.start = None;
+        self.wished = Some(painted);
+        self.go_on();
     }
 
     fn hear_key(&mut self, event: &KeyboardEvent) {
-        let Some(skin) = &self.skin else { return };
+        if !self.is_ready() {
+            return;
+        }
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         let on_stage = target.is_some_and(|target| target.id() == "stage");
         match &*event.key() {
@@ -300,49 +248,15 @@ impl Paint {
             "Enter" if on_stage && !event.shift_key() => {
                 event.stop_propagation();
                 event.prevent_default();
-                let seen = skin.seen();
-                let Some(spot) = seen.middle() else { return };
-                match (&*self.way(), self.start) {
-                    ("l", None) => {
-                        self.start = Some(spot);
-                        self.say("The line begins here: Enter again where it ends.");
-                    }
-                    ("l", Some(from)) => self.add(seen.between([from, spot])),
-                    _ => {
-                        if let Some(stroke) = self.stroke(vec![spot]) {
-                            self.show(&seen, &stroke);
-                        }
-                        self.add(vec![spot]);
-                    }
-                }
+                let Some((mut stroke, is_straight)) = self.chosen() else { return };
+                stroke.points.extend(self.start.take().filter(|_| is_straight));
+                self.drawings.push_back(Drawing::key(stroke, is_straight));
+                self.go_on();
             }
             // The plant turns below what was drawn.
             _ if on_stage => self.sheet.set_text_content(None),
             _ => {}
         }
-    }
-
-    fn forget(&mut self) {
-        self.drawing = None;
-        self.sheet.set_text_content(None);
-    }
-
-    /// In thousandths of a centimetre, by the size of the plant.
-    fn radius(&self) -> u32 {
-        let step = self.part::<HtmlInputElement>(".radius").value_as_number() as f32 / RADIUS_STEPS;
-        let size_cm = self.skin.as_ref().map_or(1.0, Skin::size_cm);
-        // In steps that are read well.
-        let hundredths = (step * step * size_cm * 100.0).round().max(2.0);
-        let fine = if hundredths < 20.0 { 1.0 } else { 5.0 };
-        ((hundredths / fine).round() * fine * 10.0).min(MOST_RADIUS as f32) as u32
-    }
-
-    fn word(&self) -> String {
-        self.part::<HtmlSelectElement>(".brush").value()
-    }
-
-    fn way(&self) -> String {
-        self.part::<HtmlSelectElement>(".way").value()
     }
 
     fn say(&self, text: &str) {

@@ -4,10 +4,11 @@
 use super::field::{Field, TYPED, each};
 use super::strokes::{self, Strokes};
 use super::subject;
-use super::wish::{GROW_SHAPE, SHAPE, SHAPE_NUMBERS};
+use super::wish::{ANEW, SHAPE, SHAPE_NUMBERS};
 use super::work::{Said, Work};
-use super::{files, own, presenter, with};
+use super::{files, own, with};
 use crate::browser::dom::{Listener, find, on, set_attribute, set_flag, set_text, window, within};
+use crate::play::origin::PAINTED;
 use js_sys::{Array, Float64Array, Uint8ClampedArray};
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{
@@ -62,12 +63,8 @@ impl ShapeView {
                     (shape.work, shape.asked, shape.next) = (None, None, None);
                 });
             }),
-            on(&find::<Element>("copy-link"), "click", |_: Event| {
-                // After the page, which knows nothing of bodies.
-                presenter::after(100, copy_link);
-            }),
         ];
-        for (selector, wish) in [(".grow", GROW_SHAPE), (".numbers-file", SHAPE_NUMBERS)] {
+        for (selector, wish) in [(".grow", ANEW), (".numbers-file", SHAPE_NUMBERS)] {
             listeners.push(on(
                 &within::<HtmlElement>(&dialog, selector),
                 "click",
@@ -95,8 +92,8 @@ impl ShapeView {
 
     /// Opens the dialog on the body of what the page shows, if that is one by rule; else as it was.
     pub fn open(&mut self) {
-        let words = subject::shape();
-        if !words.is_empty() {
+        let words = subject::origin();
+        if !words.is_empty() && !words.starts_with(PAINTED) {
             self.show_words(&words);
         }
         if !self.dialog.open() {
@@ -317,9 +314,10 @@ impl ShapeView {
                     files::save(&format!("{}.json", self.kind()), &answer.get(1).unchecked_into());
                 }
                 _ => {
-                    let [key, text] = [0, 1].map(|k| answer.get(k).as_string().unwrap_or_default());
                     self.dialog.close();
-                    return own::show_by_rule(&key, &text, &self.words());
+                    return own::put_made(&answer, &self.words())
+                        .into_iter()
+                        .for_each(own::show_preset);
                 }
             },
         }
@@ -362,17 +360,6 @@ impl ShapeView {
 
     fn part(&self, selector: &str) -> Element {
         within(&self.dialog, selector)
-    }
-}
-
-/// Copies the link of a body by rule with its words.
-fn copy_link() {
-    if !subject::shape().is_empty() {
-        let clipboard = window().navigator().clipboard();
-        // Pages without https have no clipboard.
-        if !clipboard.is_undefined() {
-            let _ = clipboard.write_text(&subject::address());
-        }
     }
 }
 

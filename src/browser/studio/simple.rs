@@ -146,7 +146,7 @@ impl SimpleView {
         let made = surprise(&scene, chance);
         self.made = Some(made);
         self.go();
-        let told = format!("A recipe by chance for the {}.", scene.plant.name.to_lowercase());
+        let told = format!("A recipe by chance for the {}.", scene.plant.name.to_ascii_lowercase());
         set_text(&within(&self.view, ".made"), &told);
     }
 

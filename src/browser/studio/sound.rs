@@ -66,7 +66,8 @@ impl Sound {
 fn percent(text: &str) -> Option<f32> {
     let from = text.find(|c: char| c.is_ascii_digit())?;
     let digits = text[from..].split(|c: char| !c.is_ascii_digit()).next()?;
-    digits.parse().ok()
+    // What reads fractions brings ten kilobytes of a table.
+    digits.parse::<u16>().ok().map(f32::from)
 }
 
 impl Tone {

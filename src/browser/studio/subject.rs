@@ -1,28 +1,40 @@
 //! What the page shows: the scene that it would print now, and its mesh.
 
 use crate::browser::address::{fragment, wanted};
-use crate::browser::dom::{document, find, window};
+use crate::browser::dom::{document, find, set_text, window};
 use crate::browser::files;
 use crate::plants;
-use crate::play::{Scene, link};
+use crate::play::{Scene, link, origin};
+use std::cell::Cell;
 use wasm_bindgen::prelude::*;
 use web_sys::{Element, Event, MutationObserver, MutationObserverInit};
 
-/// The address of what the page shows, with its link and the words of its body if that is by rule: the page is asked
-/// to put into the document what it would print, which is the link and the picture.
+/// The address of what the page shows, which opens anywhere: the page is asked to put into the document what it would
+/// print, which is the link and the picture.
 pub fn address() -> String {
     if let Ok(event) = Event::new("beforeprint") {
         let _ = window().dispatch_event(&event);
     }
-    let address = find::<Element>("printed-link").text_content().unwrap_or_default();
-    let shape = shape_of(link_of(&address));
-    address + &shape
+    find::<Element>("printed-link").text_content().unwrap_or_default()
+}
+
+/// Has what the page prints say what the plant is made of.
+pub fn print_origin() {
+    let printed: Element = find("printed-link");
+    let address = printed.text_content().unwrap_or_default();
+    if !address.contains('~') {
+        set_text(&printed, &format!("{address}{}", origin::of_link(link_of(&address))));
+    }
 }
 
 /// The link of an address, which is the part after its `#`, up to a `~`.
 pub fn link_of(address: &str) -> &str {
-    let link = address.split_once('#').map_or("", |(_, link)| link);
-    link.split('~').next().unwrap_or_default()
+    whole_link_of(address).split('~').next().unwrap_or_default()
+}
+
+/// That with what stands behind it.
+pub fn whole_link_of(address: &str) -> &str {
+    address.split_once('#').map_or("", |(_, link)| link)
 }
 
 /// The scene of what the page shows.
@@ -46,56 +58,46 @@ pub fn before() -> Option<Scene> {
     })
 }
 
-/// Of what stands behind the `~` the words of a body by rule, as `~leaf=lobes:7`, and all else.
-fn parts() -> [String; 2] {
-    let mut parts = [String::new(), String::new()];
-    for part in wanted().split('~').filter(|part| !part.is_empty()) {
-        let is_shape = SHAPES.iter().any(|kind| part.starts_with(kind));
-        let part_of = &mut parts[usize::from(!is_shape)];
-        *part_of = format!("{part_of}~{part}");
-    }
-    parts
+thread_local! {
+    /// Whether a plant is being made that the address asks for.
+    static IS_COMING: Cell<bool> = const { Cell::new(false) };
 }
 
-/// With what the words of a body by rule begin.
-const SHAPES: [&str; 3] = ["leaf=", "tree=", "flower="];
-
-/// The words of the body by rule that the address has, without their `~`; empty without them.
-pub fn shape() -> String {
-    parts()[0].trim_start_matches('~').to_string()
+/// What the plant of the address is made of, without its `~`; empty if that is not said.
+pub fn origin() -> String {
+    let [origin, _] = origin::parts(&wanted());
+    origin.trim_start_matches('~').to_string()
 }
 
 /// What else the studio is to do with the plant, without its `~`.
 pub fn view() -> String {
-    parts()[1].trim_start_matches('~').to_string()
+    let [_, view] = origin::parts(&wanted());
+    view.trim_start_matches('~').to_string()
 }
 
-/// The words of its body, with their `~`, if a link is of the plant that the address has them for.
-pub fn shape_of(link: &str) -> String {
-    let key = |link: &str| link.trim_start_matches('#').split('?').next().map(String::from);
-    let is_own = link.trim_start_matches('#').starts_with(plants::OWN);
-    match is_own && key(link) == key(&fragment()) {
-        true => parts()[0].clone(),
-        false => String::new(),
-    }
+/// Says whether the plant of the address is being made.
+pub fn is_coming(is_coming: bool) {
+    IS_COMING.set(is_coming);
 }
 
-/// Shows a scene on the page, by its link; what the studio does with it goes on.
-pub fn show(link: &str) {
-    let _ = window().location().set_hash(&format!("{link}{}{}", shape_of(link), parts()[1]));
-}
-
-/// Takes the words of a body by rule out of the address of another plant.
-pub fn forget_shape() {
-    let [shape, rest] = parts();
-    let link = fragment();
-    if !shape.is_empty()
-        && shape_of(&link).is_empty()
+/// Has the address say of the plant that is there what it is made of, and of another one nothing.
+pub fn mend() {
+    let ([origin, rest], link) = (origin::parts(&wanted()), fragment());
+    let wished = origin::of_link(&link);
+    if !IS_COMING.get()
+        && origin != wished
         && let Ok(history) = window().history()
     {
-        let address = format!("#{}{rest}", link.trim_start_matches('#'));
+        let address = format!("{link}{wished}{rest}");
         let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
     }
+}
+
+/// Shows a scene on the page, by its link, which may say what its plant is made of; what the studio does with it goes on.
+pub fn show(link: &str) {
+    let said = if link.contains('~') { String::new() } else { origin::of_link(link) };
+    let [_, rest] = origin::parts(&wanted());
+    let _ = window().location().set_hash(&format!("{link}{said}{rest}"));
 }
 
 /// Does something else with the plant that is there, or nothing: `lesson/chance/2`. This makes an entry of the
@@ -103,12 +105,12 @@ pub fn forget_shape() {
 pub fn want(what: &str) {
     let link = fragment();
     let beside = if what.is_empty() { String::new() } else { format!("~{what}") };
-    let _ = window().location().set_hash(&format!("{link}{}{beside}", shape_of(&link)));
+    let _ = window().location().set_hash(&format!("{link}{}{beside}", origin::of_link(&link)));
 }
 
 /// Shows a scene, by its link, and does something with it: one entry of the browser's history.
 pub fn go(link: &str, what: &str) {
-    let _ = window().location().set_hash(&format!("{link}{}~{what}", shape_of(link)));
+    let _ = window().location().set_hash(&format!("{link}{}~{what}", origin::of_link(link)));
 }
 
 /// Shows several plants, by the fragment of their address.
@@ -129,15 +131,15 @@ pub async fn mesh_of(scene: &Scene) -> Result<String, String> {
 
 /// The text of the plant that the page shows, if it is one of the visitor's own; else none.
 pub fn own() -> String {
-    files::held(&format!("meshes/{}.txt", scene().plant.key)).unwrap_or_default()
+    files::held(&format!("meshes/{}.txt", wished().plant.key)).unwrap_or_default()
 }
 
-/// The address of a link, and of the words of its body if that is by rule.
+/// The address of a link, which opens anywhere.
 pub fn address_of(link: &str) -> String {
     let href = window().location().href().unwrap_or_default();
     let page = href.split('#').next().unwrap_or_default();
     let (link, beside) = link.split_at(link.find('~').unwrap_or(link.len()));
-    format!("{page}#{link}{}{beside}", shape_of(link))
+    format!("{page}#{link}{}{beside}", origin::of_link(link))
 }
 
 /// Does something whenever an attribute changes of what is in an element, as long as that is there.

@@ -2,7 +2,7 @@
 
 use super::darkroom::{self, Print};
 use super::files::save;
-use super::subject::{self, address, link_of};
+use super::subject::{self, address, whole_link_of};
 use super::wish::{DOCUMENT, PICTURE};
 use super::work::{Said, Work};
 use super::{picture, with};
@@ -75,11 +75,7 @@ impl TakeAway {
             let area: HtmlTextAreaElement = within(&self.dialog, part);
             area.set_value(text);
         }
-        let code = self.part(".qr");
-        let (view_box, path) = picture::qr(&address).unwrap_or_default();
-        set_flag(&code, "hidden", path.is_empty());
-        set_attribute(&code, "viewBox", view_box);
-        code.set_inner_html(&format!("<path d=\"{path}\"/>"));
+        picture::show_qr(&self.part(".qr"), &address);
         self.say("");
         self.tell();
         let dialog = self.dialog.clone();
@@ -103,7 +99,7 @@ impl TakeAway {
         // To ask the page for it makes it draw, and only the picture is to be drawn.
         let link: HtmlTextAreaElement = within(&self.dialog, ".link");
         let address = if wanted == PICTURE { address() } else { link.value() };
-        let link = link_of(&address).to_string();
+        let link = whole_link_of(&address).to_string();
         let scene = scene_of(&address);
         let name = format!("{}-{}-day-{}", scene.plant.key, scene.individual, scene.day);
         match Kind::of_word(wanted) {
@@ -253,7 +249,7 @@ impl TakeAway {
 }
 
 fn scene_of(address: &str) -> Scene {
-    link::read(link_of(address), plants::all()).scene
+    link::read(whole_link_of(address), plants::all()).scene
 }
 
 /// Shows the system's own sheet to share a link.

@@ -50,5 +50,15 @@ pub const SHAPE: &str = "shape";
 /// The numbers of such a body: a file.
 pub const SHAPE_NUMBERS: &str = "shape-numbers";
 
-/// The plant that grows on such a body: its key, its text, and what is told of it.
-pub const GROW_SHAPE: &str = "grow-shape";
+/// The plant of the words that stand behind the `~` of its link, in the place of that: of a body by rule, or of strokes
+/// on the plant whose mesh is given. Its key, its text, and what is told of it.
+pub const ANEW: &str = "anew";
+
+/// To hold a plant ready to be painted on, its words without strokes in the place of a link (`import::Painted`): the
+/// length that suits it, in centimetres.
+pub const SKIN: &str = "skin";
+
+/// Takes a stroke on the plant that is held ready on, as a link shows it. Needs the words of the stroke as far as it is
+/// drawn, and pairs of numbers: width and height of the stage, and points on it, both in pixels (`import::Skin`). The
+/// words of the longer one, the lines in which it is seen as elements of an SVG in pixels of the stage, and their width.
+pub const STROKE: &str = "stroke";

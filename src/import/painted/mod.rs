@@ -3,20 +3,19 @@
 
 mod layers;
 mod lead;
+mod skin;
 mod stroke;
 mod ways;
 
 use super::Own;
 use crate::plants::{self, Plant, Shape, to_text};
+use crate::play::origin::{self, PAINTED};
 use crate::surface::{Body, Line, PolygonMesh};
 use glam::Vec2;
 use layers::Layer;
+pub use skin::Skin;
 use std::sync::Arc;
 pub use stroke::{Brush, MOST_RADIUS, Spot, Stroke, Way};
-pub use ways::{lines_of, nearest};
-
-/// How what stands behind the `~` of an address begins where a plant is painted.
-pub const PAINTED: &str = "painted/";
 
 /// Strokes, and the plant below them.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,14 +32,12 @@ impl Painted {
         format!("{PAINTED}{}/{}/{}", base.key, base.rules as u32, stroke::write(strokes))
     }
 
-    /// Of what stands behind the `~` of an address; none where that is something else.
+    /// Of what a plant is made of; none where that is something else.
     ///
     /// # Errors
     /// In plain words, why it cannot be painted.
-    pub fn read(text: &str) -> Option<Result<Painted, String>> {
-        let text =
-            text.split_once(PAINTED).filter(|(before, _)| before.trim_matches('~').is_empty())?.1;
-        Some(Painted::of_words(text.split('~').next().unwrap_or_default()))
+    pub fn read(words: &str) -> Option<Result<Painted, String>> {
+        words.strip_prefix(PAINTED).map(Painted::of_words)
     }
 
     fn of_words(text: &str) -> Result<Painted, String> {
@@ -136,8 +133,8 @@ fn add(mesh: &mut PolygonMesh, order: u32, points: &[glam::Vec3]) {
 /// # Errors
 /// As `Painted::read`.
 pub fn painted_of_link(link: &str) -> Option<Result<Painted, String>> {
-    let (_, beside) = link.split_once('~')?;
-    Painted::read(beside)
+    let [origin, _] = origin::parts(link.split_once('~')?.1);
+    Painted::read(origin.trim_start_matches('~'))
 }
 
 #[cfg(test)]

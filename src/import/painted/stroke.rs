@@ -144,17 +144,20 @@ impl Brush {
 }
 
 impl Stroke {
-    fn write(&self, text: &mut String) {
+    /// As `f.500.w.k3f7a2`.
+    pub fn write(&self) -> String {
         let word = WAYS.iter().find(|(way, _)| *way == self.way).map_or("", |(_, word)| word);
         let mirror = if self.is_mirrored { "m" } else { "" };
-        text.push_str(&format!("{}.{}.{word}{mirror}", self.brush.word(), self.radius));
+        let mut text = format!("{}.{}.{word}{mirror}", self.brush.word(), self.radius);
         for point in &self.points {
             text.push('.');
-            point.write(text);
+            point.write(&mut text);
         }
+        text
     }
 
-    fn read(text: &str) -> Option<Stroke> {
+    /// That of a text; it may have no points yet.
+    pub fn read(text: &str) -> Option<Stroke> {
         let mut words = text.split('.');
         let brush = Brush::of_word(words.next()?)?;
         let radius = words.next()?.parse().ok().filter(|r| (1..=MOST_RADIUS).contains(r))?;
@@ -163,20 +166,13 @@ impl Stroke {
         let &(way, _) = WAYS.iter().find(|(_, known)| *known == way)?;
         let points: Vec<Spot> = words.map(Spot::read).collect::<Option<_>>()?;
         let is_mirrored = word.ends_with('m');
-        (!points.is_empty()).then_some(Stroke { brush, radius, way, is_mirrored, points })
+        Some(Stroke { brush, radius, way, is_mirrored, points })
     }
 }
 
 /// Strokes as a text of small letters, digits, `.` and `-`.
 pub fn write(strokes: &[Stroke]) -> String {
-    let mut text = String::new();
-    for (k, stroke) in strokes.iter().enumerate() {
-        if k > 0 {
-            text.push('-');
-        }
-        stroke.write(&mut text);
-    }
-    text
+    strokes.iter().map(Stroke::write).collect::<Vec<_>>().join("-")
 }
 
 /// Strokes of a text.
@@ -189,7 +185,8 @@ pub fn read(text: &str) -> Result<Vec<Stroke>, String> {
         return Err(format!("there are {} strokes: at most {MOST_STROKES}", parts.len()));
     }
     let read = |(k, part): (usize, &&str)| {
-        Stroke::read(part).ok_or_else(|| format!("stroke {} cannot be read", k + 1))
+        let stroke = Stroke::read(part).filter(|stroke| !stroke.points.is_empty());
+        stroke.ok_or_else(|| format!("stroke {} cannot be read", k + 1))
     };
     let strokes: Vec<Stroke> = parts.iter().enumerate().map(read).collect::<Result<_, _>>()?;
     match strokes.iter().map(|stroke| stroke.points.len()).sum::<usize>() {

@@ -1,3 +1,4 @@
+use super::ways::{lines_of, nearest};
 use super::*;
 use crate::plants::bring;
 use crate::surface::{Place, unpack};
