@@ -197,6 +197,7 @@ fn follow_own() {
     if let Some(asked) = root.get_attribute("data-own") {
         let _ = root.remove_attribute("data-own");
         match subject::shape() {
+            _ if own::fetch_of_figures(&asked) => {}
             words if !words.is_empty() => own::make_by_rule(asked, words),
             _ if painted::make(&asked) => {}
             _ => own::make_what_was_kept(asked),

@@ -4,6 +4,7 @@ use super::super::figures::Picture;
 use super::super::testing::{PLANTS, SHEET};
 use super::super::worker::Worker;
 use super::*;
+mod files;
 mod looking;
 
 const ROW: Figure = Figure {
