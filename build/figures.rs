@@ -37,6 +37,8 @@ pub fn changed(text: &str) -> String {
         match line {
             Line::Head(of_figure, _) => number = of_figure,
             Line::Picture(link, _) => {
+                // What is beside it is of no account for its cells.
+                let link = link.split('~').next().unwrap_or_default();
                 let mut words = link.split(['?', '&']).skip(1);
                 let is_changed = words
                     .any(|word| !["v=", "s=", "d="].iter().any(|usual| word.starts_with(usual)));

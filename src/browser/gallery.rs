@@ -346,9 +346,12 @@ impl RowView {
         set_text(&self.told_day, &format!("Day {day}"));
     }
 
-    /// What plants these are and the numbers of them.
+    /// What plants these are and the numbers of them, where all are of one kind.
     fn tell_plants(&self, scenes: &[Scene]) {
         let plant = scenes[0].plant;
+        if scenes.iter().any(|scene| scene.plant.latin != plant.latin) {
+            return;
+        }
         set_text(&within(&self.element, ".latin"), plant.latin);
         let recipes: Vec<Recipe> = scenes.iter().map(|scene| scene.recipe.clone()).collect();
         set_text(&within(&self.element, ".numbers"), &words::numbers(plant, &recipes));

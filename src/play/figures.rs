@@ -52,7 +52,7 @@ static ALL: OnceLock<Vec<Figure>> = OnceLock::new();
 /// All figures in their order; on the page none before their text has come.
 pub fn all() -> &'static [Figure] {
     #[cfg(not(target_arch = "wasm32"))]
-    take(include_str!("../../www/figures.txt").to_string());
+    ALL.get_or_init(|| read(include_str!("../../www/figures.txt")));
     ALL.get().map_or(&[], |figures| figures)
 }
 
@@ -181,7 +181,7 @@ mod tests {
                 let preset = Scene::preset(scene.plant, scene.individual);
                 let is_changed = scene.recipe != preset.recipe || scene.noise;
                 if is_changed {
-                    changed += &format!("{} {}\n", figure.number, picture.link);
+                    changed += &format!("{} {}\n", figure.number, link::write(&scene));
                 }
                 assert_eq!(showing(&scene).is_some(), is_changed, "{}", picture.link);
             }

@@ -35,7 +35,7 @@ fn wait_for_row(page: &Page, told: &[String]) {
         "the row to grow",
         &format!(
             "const row = document.getElementById('figure-{NUMBER}');
-             const told = [...row.querySelectorAll('.told')].map(e => e.textContent);
+             const told = [...row?.querySelectorAll('.told') ?? []].map(e => e.textContent);
              return JSON.stringify(told) === JSON.stringify({told})
                  && row.querySelectorAll('.picture[data-live]').length === told.length"
         ),

@@ -29,7 +29,7 @@ fn chosen(numbers: &[String]) -> Result<Vec<&'static Figure>, Refusal> {
     }
     let mut chosen: Vec<&'static Figure> = Vec::new();
     for number in numbers {
-        let figure = of_catalogue().find(|figure| figure.number == number).ok_or_else(|| {
+        let figure = of_catalogue().find(|figure| figure.number == *number).ok_or_else(|| {
             let known: Vec<&str> = of_catalogue().map(|figure| figure.number).collect();
             format!("there is no figure {}: there are {}", quoted(number), known.join(", "))
         })?;
