@@ -7,7 +7,7 @@ mod painted;
 mod palette;
 mod photo;
 #[cfg(test)]
-mod pictured;
+mod pictured_tests;
 
 use crate::plants::{self, Look};
 use crate::play::{FIRST_INDIVIDUAL, Scene, link};
