@@ -5,8 +5,8 @@ use super::super::dom::{document, set_attribute};
 use super::super::files;
 use super::{send, send_to_figures};
 use crate::plants;
-use crate::play::page::Event;
 use crate::play::gallery;
+use crate::play::page::Event;
 use crate::surface::unpack;
 
 /// Has plants of files of their own known before a link with them is read. The studio puts them into the page, and knows
