@@ -1,6 +1,5 @@
 //! Figures and their workers joined in memory.
 
-use super::super::figures::Picture;
 use super::super::testing::{PLANTS, SHEET};
 use super::super::worker::Worker;
 use super::*;
