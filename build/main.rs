@@ -1,17 +1,22 @@
 //! Gives page, worker and command line the number of their build, a hash of all sources, so that a
 //! page never takes answers from a worker of another build out of a cache; and joins the shaders to
-//! one text without comments, margins and long names, which nobody is to download.
+//! one text without comments, margins and long names, which nobody is to download; and takes out of the text of the
+//! figures what the page is to know of them at once.
 
+mod figures;
 mod words;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
 
+/// The text of the figures.
+const FIGURES: &str = "www/figures.txt";
+
 fn main() {
     let mut files = Vec::new();
     words::check();
-    for root in ["src", "meshes", "Cargo.lock", "build", "www/index.html", "www/words"] {
+    for root in ["src", "meshes", "Cargo.lock", "build", "www/index.html", FIGURES, "www/words"] {
         if Path::new(root).exists() {
             println!("cargo::rerun-if-changed={root}");
             list(Path::new(root), &mut files);
@@ -25,7 +30,12 @@ fn main() {
     }
     println!("cargo::rustc-env=MOSAIC_BUILD={:016x}", hash.finish());
     let out = std::env::var_os("OUT_DIR").expect("cargo says where to write");
-    std::fs::write(Path::new(&out).join("shaders.wgsl"), shaders()).expect("a file can be written");
+    let write = |name: &str, text: String| {
+        std::fs::write(Path::new(&out).join(name), text).expect("a file can be written");
+    };
+    write("shaders.wgsl", shaders());
+    let of_figures = std::fs::read_to_string(FIGURES).expect("the figures can be read");
+    write("changed.txt", figures::changed(&of_figures));
 }
 
 /// The shaders in the order in which they build on each other, without comments, margins and long names.

@@ -1,5 +1,5 @@
-//! What visitors read, in every language: finds all texts of the page in its HTML and its sources, and says which
-//! of them a phrasebook (`www/words`) lacks, so that a word without a translation does not compile.
+//! What visitors read, in every language: finds all texts of the page in its HTML, its figures and its sources, and
+//! says which of them a phrasebook (`www/words`) lacks, so that a word without a translation does not compile.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::collections::{BTreeMap, BTreeSet};
@@ -40,6 +40,7 @@ pub fn check() {
         let text = read(&file);
         let found = match file.extension().and_then(|e| e.to_str()) {
             Some("html") => texts_of_html(&text),
+            Some("txt") => super::figures::texts(&text).map(normal).collect(),
             _ => texts_of_rust(&text, &file).into_iter().filter(|text| is_read(text)).collect(),
         };
         let spoken = found.into_iter().filter(|text| has_word(text) && !unspoken.contains(text));
@@ -66,7 +67,7 @@ pub fn check() {
 }
 
 fn files() -> Vec<PathBuf> {
-    let mut files = vec![PathBuf::from("www/index.html")];
+    let mut files = vec![PathBuf::from("www/index.html"), PathBuf::from(super::FIGURES)];
     for room in ROOMS {
         super::list(Path::new(&format!("src/{room}")), &mut files);
     }
@@ -77,7 +78,7 @@ fn files() -> Vec<PathBuf> {
             || ["/tests/", "/together", "/bodies/", "/original"]
                 .iter()
                 .any(|part| path.contains(part));
-        !is_test && (path.ends_with(".rs") || path.ends_with(".html"))
+        !is_test && (path.ends_with(".rs") || path.ends_with(".html") || path == super::FIGURES)
     };
     files.into_iter().filter(is_read).collect()
 }

@@ -1,6 +1,7 @@
 //! The one application of this page: takes events to the page's brain, does what it says, and brings
 //! the document into agreement with it.
 
+mod figures;
 mod frame;
 mod loading;
 
@@ -298,18 +299,6 @@ impl App {
         }
         self.open_gallery(fragment);
         self.hear(Event::OpenLink(fragment.to_string()));
-    }
-
-    /// Opens the figures or a series if the fragment of the address asks for them.
-    fn open_gallery(&mut self, fragment: &str) {
-        if let Some((view, asked)) = asked_view(fragment) {
-            // It is drawn on the page's stage.
-            self.stage.forget();
-            if !view.is_of_figures() {
-                load_studio("pictures");
-            }
-            self.gallery = Some(Gallery::open(view, asked, &self.page.link(), &self.bookmark));
-        }
     }
 
     fn hear_figures(&mut self, event: gallery::Event) {

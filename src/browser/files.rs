@@ -25,10 +25,31 @@ pub fn held(path: &str) -> Option<String> {
     document().get_element_by_id(path)?.text_content()
 }
 
+/// Has the page hold the text of a file from now on.
+pub fn hold(path: &str, text: &str) {
+    if document().get_element_by_id(path).is_none()
+        && let Ok(holder) = document().create_element("script")
+    {
+        set_attribute(&holder, "type", "text/plain");
+        set_attribute(&holder, "id", path);
+        holder.set_text_content(Some(text));
+        let _ = document().head().expect("a page has a head").append_child(&holder);
+    }
+}
+
+/// The path of a mesh file, or of the plant of a file of its own by its key.
+pub fn mesh(name: &str) -> String {
+    format!("meshes/{}.txt", name.strip_suffix(".obj").unwrap_or(name))
+}
+
 /// The text of a mesh file, packed or plain; in an error, why it cannot be had.
 pub async fn read_mesh(name: &str) -> Result<String, String> {
-    let path = format!("meshes/{}.txt", name.strip_suffix(".obj").unwrap_or(name));
-    match held(&path) {
+    read(&mesh(name)).await
+}
+
+/// The text of a file of this build; in an error, why it cannot be had.
+pub async fn read(path: &str) -> Result<String, String> {
+    match held(path) {
         Some(text) => Ok(text),
         None => read_text(&address(&format!("{path}?build={BUILD}"))).await,
     }

@@ -1,8 +1,8 @@
-//! The figures of the thesis and series: rows of pictures. The row that the reader looks at grows and is
+//! The figures and series: rows of pictures. The row that the reader looks at grows and is
 //! drawn on the page's one stage, picture by picture, and copied from there; the other rows keep
 //! their last pictures.
 
-use super::address::with_fragment;
+use super::address::{fragment, with_fragment};
 use super::app;
 use super::dom::{
     Listener, copy_of_template, document, find, mark_when_missing, on, set_attribute, set_flag,
@@ -15,7 +15,7 @@ use super::turning;
 use super::typing::set_value;
 use crate::draw::DrawError;
 use crate::plants;
-use crate::play::figures::Figure;
+use crate::play::figures::{Figure, Picture};
 use crate::play::gallery::{self, Days, Event, Row};
 use crate::play::page::{Effect, State};
 use crate::play::series::View;
@@ -45,16 +45,16 @@ pub struct Gallery {
     /// Until when the scroll must rest.
     rests_ms: Option<f64>,
     state: State,
-    /// The figure that the address asks for.
-    asked: String,
-    _scroll: Listener,
+    /// The number of the figure that the address asks for; empty without it.
+    asked: &'static str,
+    _listeners: [Listener; 2],
 }
 
 /// Where a reader of the figures was.
 #[derive(Clone, Debug, Default)]
 pub struct Bookmark {
     days: Days,
-    asked: String,
+    asked: &'static str,
     scroll_px: i32,
 }
 
@@ -92,6 +92,7 @@ impl Gallery {
         set_text(&find("figures-title"), view.title);
         set_attribute(&find::<Element>("from-figures"), "href", with_fragment(back));
         set_flag(&root, "hidden", false);
+        set_flag(&trouble(), "hidden", true);
         show_view(view.key);
         // One core is for the page.
         let count = cores.saturating_sub(1).clamp(1, MOST_WORKERS);
@@ -107,6 +108,8 @@ impl Gallery {
         // The keys that scroll are to work at once.
         let _ = root.focus();
         let scroll = on(&root, "scroll", |_: web_sys::Event| app::figures_scrolled());
+        let again: Element = within(&trouble(), "button");
+        let again = on(&again, "click", |_: web_sys::Event| app::open_link(&fragment()));
         let brain = gallery::Gallery::new(plants::all(), count, bookmark.days.clone());
         for row in &rows {
             if let Some(day) = brain.day_of(row.figure) {
@@ -114,14 +117,28 @@ impl Gallery {
             }
         }
         document().set_title(&format!("{} · Clonal Mosaic", view.title));
-        let (rests_ms, state, asked) = (Some(0.0), State::Loading, asked_for.to_string());
-        Gallery { brain, workers, root, rows, rests_ms, state, asked, _scroll: scroll }
+        let asked = asked.map_or("", |row| row.figure.number);
+        let (rests_ms, state, _listeners) = (Some(0.0), State::Loading, [scroll, again]);
+        Gallery { brain, workers, root, rows, rests_ms, state, asked, _listeners }
+    }
+
+    /// Whether there are no rows: those of the figures are yet to come.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// The figures cannot be had, and why.
+    pub fn fail(&mut self, why: &str) {
+        self.state = State::Error;
+        let trouble = trouble();
+        set_text(&within(&trouble, "span"), &format!("The figures could not be loaded ({why})."));
+        set_flag(&trouble, "hidden", false);
     }
 
     /// Where the reader is.
     pub fn bookmark(&self) -> Bookmark {
-        let (days, asked) = (self.brain.days().clone(), self.asked.clone());
-        Bookmark { days, asked, scroll_px: self.root.scroll_top() }
+        let days = self.brain.days().clone();
+        Bookmark { days, asked: self.asked, scroll_px: self.root.scroll_top() }
     }
 
     /// Takes an event; what the page must do is returned.
@@ -195,7 +212,8 @@ impl Gallery {
         };
         view.tell(row);
         let until_ms = now_ms() + DRAW_MS;
-        for (k, picture) in view.pictures.iter_mut().enumerate() {
+        // None of a row whose plants are yet to come.
+        for (k, picture) in view.pictures.iter_mut().enumerate().take(row.pictures.len()) {
             set_attribute(&picture.element, "href", with_fragment(&row.link(k)));
             let Some(shown) = row.shown(k) else { continue };
             if picture.drawn == Some((shown.generation, shown.day)) {
@@ -259,11 +277,6 @@ impl RowView {
         }
         set_text(&within(&element, ".title"), figure.title);
         set_text(&within(&element, ".figure-caption"), figure.caption);
-        let scene = |k: usize| link::read(figure.pictures[k].link, plants::all()).scene;
-        let first: Scene = scene(0);
-        set_text(&within(&element, ".latin"), first.plant.latin);
-        let recipes: Vec<Recipe> = (0..figure.pictures.len()).map(|k| scene(k).recipe).collect();
-        set_text(&within(&element, ".numbers"), &words::numbers(first.plant, &recipes));
         let row: HtmlElement = within(&element, ".pictures");
         set_style(&row, "--count", &figure.pictures.len().to_string());
         let mut listeners = Vec::new();
@@ -299,13 +312,16 @@ impl RowView {
         let pictures: Vec<PictureView> = pictures.collect();
         let more: Element = within(&element, ".more");
         if of_figures {
-            let links: Vec<&str> = figure.pictures.iter().map(|picture| picture.link).collect();
+            let link = |p: &Picture| &p.link[..p.link.len() - p.beside().len()];
+            let links: Vec<&str> = figure.pictures.iter().map(link).collect();
             set_attribute(&more, "href", with_fragment(&format!("compare/{}", links.join("/"))));
         } else {
             more.remove();
             listeners.extend(turning::listen(&row));
         }
-        let last_day = (0..pictures.len()).map(|k| scene(k).day).max().unwrap_or(0);
+        let scenes = figure.pictures.iter().map(|p| link::read(p.link, plants::all()).scene);
+        let scenes: Vec<Scene> = scenes.collect();
+        let last_day = scenes.iter().map(|scene| scene.day).max().unwrap_or(0);
         let day: HtmlInputElement = within(&element, ".days input");
         let field = day.clone();
         listeners.push(on(&day, "input", move |_: web_sys::Event| {
@@ -319,6 +335,9 @@ impl RowView {
         let view =
             RowView { figure, element, pictures, day, told_day, trouble, _listeners: listeners };
         view.tell_day(last_day);
+        if figure.pictures.iter().all(|picture| picture.unknown().is_none()) {
+            view.tell_plants(&scenes);
+        }
         view
     }
 
@@ -327,8 +346,22 @@ impl RowView {
         set_text(&self.told_day, &format!("Day {day}"));
     }
 
+    /// What plants these are and the numbers of them, where all are of one kind.
+    fn tell_plants(&self, scenes: &[Scene]) {
+        let plant = scenes[0].plant;
+        if scenes.iter().any(|scene| scene.plant.latin != plant.latin) {
+            return;
+        }
+        set_text(&within(&self.element, ".latin"), plant.latin);
+        let recipes: Vec<Recipe> = scenes.iter().map(|scene| scene.recipe.clone()).collect();
+        set_text(&within(&self.element, ".numbers"), &words::numbers(plant, &recipes));
+    }
+
     fn tell(&self, row: &Row) {
-        self.tell_day(row.day);
+        if !row.pictures.is_empty() {
+            self.tell_day(row.day);
+            self.tell_plants(&row.pictures);
+        }
         set_text(&self.trouble, row.trouble.as_deref().unwrap_or_default());
     }
 }
@@ -340,6 +373,11 @@ fn start_worker(number: usize) -> Result<Mail, String> {
             Err(why) => Event::WorkerLost(number, why),
         });
     })
+}
+
+/// What says that the figures cannot be had.
+fn trouble() -> Element {
+    find("figures-trouble")
 }
 
 /// Shows a view in the place of the plant, or the other way round.

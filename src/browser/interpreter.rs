@@ -6,7 +6,6 @@ use super::boot::{CHOSEN, chosen_language};
 use super::dom::{document, find, on, set_attribute, window};
 use super::files;
 use crate::play::phrasebook::{Numbers, PHRASEBOOKS, Phrasebook};
-use crate::play::protocol::BUILD;
 use js_sys::{Array, Intl, Object, Reflect, WeakMap};
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
@@ -144,12 +143,7 @@ fn agree() {
 async fn learn(language: String) {
     let mut book = None;
     if PHRASEBOOKS.contains(&language.as_str()) {
-        let path = format!("words/{language}.txt");
-        let text = match files::held(&path) {
-            Some(text) => Ok(text),
-            None => files::read_text(&files::address(&format!("{path}?build={BUILD}"))).await,
-        };
-        let Ok(text) = text else { return };
+        let Ok(text) = files::read(&format!("words/{language}.txt")).await else { return };
         book = Phrasebook::read(&text, Browser::new(&language)).ok();
     }
     INTERPRETER.with_borrow_mut(|interpreter| {

@@ -191,6 +191,7 @@ fn follow_own() {
     if let Some(asked) = root.get_attribute("data-own") {
         let _ = root.remove_attribute("data-own");
         match subject::origin() {
+            _ if own::fetch_of_figures(&asked) => {}
             words if words.is_empty() => own::make_what_was_kept(asked),
             words => own::make_anew(asked, words),
         }

@@ -6,6 +6,8 @@ mod own;
 mod painted;
 mod palette;
 mod photo;
+#[cfg(test)]
+mod pictured_tests;
 
 use crate::plants::{self, Look};
 use crate::play::{FIRST_INDIVIDUAL, Scene, link, origin};

@@ -1,13 +1,16 @@
-//! The figures of the thesis (R. L. Binsfeld, *Aplicabilidade do Modelo MClone na Síntese de Padrões
-//! Visuais do Reino Vegetal*, UFRGS 2013, Table 4.1), picture by picture, as links of the
-//! playground.
+//! The figures: those of the thesis (R. L. Binsfeld, *Aplicabilidade do Modelo MClone na Síntese de Padrões
+//! Visuais do Reino Vegetal*, UFRGS 2013), row by row of its Table 4.1, and some of other sources, picture by picture
+//! as links of the playground. They stand in `www/figures.txt`, which the page fetches when somebody wants to see them;
+//! `docs/figures.md` says how it is written.
 
 use super::{Scene, link};
+use crate::plants::{OWN, brought};
+use std::sync::OnceLock;
 
-/// A figure of the thesis: one row of its Table 4.1.
+/// A row of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Figure {
-    /// `4.8`
+    /// `4.8` of the thesis, else whose it is: `Song-7`.
     pub number: &'static str,
     pub title: &'static str,
     /// What is to be seen, in a sentence or two.
@@ -27,197 +30,76 @@ impl Figure {
 pub struct Picture {
     /// What tells it from its neighbours: `day 5`, `individual 2`, `yellow share p_F 0.1%`.
     pub label: &'static str,
-    /// The scene, as `link::write` writes it.
+    /// The scene, as `link::write` writes it, and perhaps a `~` with what is beside it.
     pub link: &'static str,
 }
 
-const fn picture(label: &'static str, link: &'static str) -> Picture {
-    Picture { label, link }
+impl Picture {
+    /// The plant of a file of its own that it shows, by its key, unless that is known.
+    pub fn unknown(&self) -> Option<&'static str> {
+        let key = self.link.split('?').next()?;
+        (key.starts_with(OWN) && brought(key).is_none()).then_some(key)
+    }
+
+    /// What stands behind its link, with the `~`; empty without it.
+    pub fn beside(&self) -> &'static str {
+        self.link.find('~').map_or("", |at| &self.link[at..])
+    }
 }
 
-/// All figures in the order of their numbers.
-pub const FIGURES: &[Figure] = &[
-    Figure {
-        number: "4.1",
-        title: "Gold dust on a croton",
-        caption: "Half of the first cells are yellow, half are green, and both divide at the same \
-                  pace. Their families mingle, and the leaves look dusted with gold.",
-        pictures: &[picture("day 35", "croton-shrub?v=1&s=1&d=35")],
-    },
-    Figure {
-        number: "4.2",
-        title: "Three crotons of one kind",
-        caption: "One recipe and three individuals. Chance alone decides where the first cells \
-                  fall: each has its own flecks, and still they are of one kind.",
-        pictures: &[
-            picture("individual 1", "croton-shrub?v=1&s=1&d=30"),
-            picture("individual 2", "croton-shrub?v=1&s=2&d=30"),
-            picture("individual 3", "croton-shrub?v=1&s=3&d=30"),
-        ],
-    },
-    Figure {
-        number: "4.3",
-        title: "A croton grows old",
-        caption: "One shrub on four days. Yellow cells divide twice as often as green ones, so a \
-                  green plant grows more and more yellow without a single cell changing its \
-                  colour.",
-        pictures: &[
-            picture("day 5", "croton?v=1&s=1&d=5"),
-            picture("day 15", "croton?v=1&s=1&d=15"),
-            picture("day 20", "croton?v=1&s=1&d=20"),
-            picture("day 30", "croton?v=1&s=1&d=30"),
-        ],
-    },
-    Figure {
-        number: "4.4",
-        title: "Between yellow and green",
-        caption: "From picture to picture fewer first cells are yellow, from nine in ten to one in \
-                  ten. Both colours divide at the same pace, so the last day has the mixture of \
-                  the first.",
-        pictures: &[
-            picture("yellow share p_F 0.9", "croton-shrub?v=1&s=1&d=30&pf=0.9"),
-            picture("yellow share p_F 0.7", "croton-shrub?v=1&s=1&d=30&pf=0.7"),
-            picture("yellow share p_F 0.5", "croton-shrub?v=1&s=1&d=30"),
-            picture("yellow share p_F 0.2", "croton-shrub?v=1&s=1&d=30&pf=0.2"),
-            picture("yellow share p_F 0.1", "croton-shrub?v=1&s=1&d=30&pf=0.1"),
-        ],
-    },
-    Figure {
-        number: "4.5",
-        title: "Clones and noise",
-        caption: "The same shrub with as many yellow cells each day: on the right they are chosen by \
-                  Perlin noise that changes with time. Pull the days: clones grow, and noise forgets \
-                  where it was.",
-        pictures: &[
-            picture("clones", "croton?v=1&s=1&d=30"),
-            picture("Perlin noise", "croton?v=1&s=1&d=30&noise=1"),
-        ],
-    },
-    Figure {
-        number: "4.8",
-        title: "Blotches of a cactus",
-        caption: "Each yellow blotch is the family of one first cell. The more first cells are \
-                  yellow, from one to three in a thousand, the more blotches there are, and some \
-                  run together.",
-        pictures: &[
-            picture("yellow share p_F 0.1%", "cactus?v=1&s=1&d=25&pf=0.001"),
-            picture("yellow share p_F 0.2%", "cactus?v=1&s=1&d=25&pf=0.002"),
-            picture("yellow share p_F 0.3%", "cactus?v=1&s=1&d=25"),
-        ],
-    },
-    Figure {
-        number: "4.9",
-        title: "Rounder blotches",
-        caption: "The same cactus, but its yellow cells cling together more: they push each other \
-                  less, and the blotches draw in and become rounder.",
-        pictures: &[picture("adhesion α_FF 0.7", "cactus?v=1&s=1&d=25&ff=0.7")],
-    },
-    Figure {
-        number: "4.10",
-        title: "A philodendron unfolds its blaze",
-        caption: "First cells are lime only along the middle of each leaf, and a direction field \
-                  leads them out to the rim: the older the leaf, the longer the strokes. Leaves of \
-                  one shoot have unfolded one after another.",
-        pictures: &[
-            picture("day 20", "philodendron?v=1&s=1&d=20"),
-            picture("day 23", "philodendron?v=1&s=1&d=23"),
-            picture("day 25", "philodendron?v=1&s=1&d=25"),
-            picture("day 27", "philodendron?v=1&s=1&d=27"),
-            picture("day 30", "philodendron?v=1&s=1&d=30"),
-            picture("day 32", "philodendron?v=1&s=1&d=32"),
-            picture("one shoot", "philodendron-shoot?v=1&s=1&d=32"),
-        ],
-    },
-    Figure {
-        number: "4.12",
-        title: "Philodendron leaves of three ages",
-        caption: "Leaves of one plant are of different ages: the same recipe, stopped on three days, \
-                  gives a young leaf, one in between, and an old one.",
-        pictures: &[
-            picture("day 23", "philodendron?v=1&s=1&d=23"),
-            picture("day 27", "philodendron?v=1&s=1&d=27"),
-            picture("day 30", "philodendron?v=1&s=1&d=30"),
-        ],
-    },
-    Figure {
-        number: "4.13",
-        title: "A cactus with belts",
-        caption: "A control image lets first cells be yellow in belts round the columns. Yellow \
-                  cells cling together closely, and the belts stay whole.",
-        pictures: &[picture("day 25", "banded-cactus?v=1&s=1&d=25")],
-    },
-    Figure {
-        number: "4.14",
-        title: "A ragged fly agaric",
-        caption: "Red cells divide six times as often as white ones. What the control image left \
-                  of the white veil is squeezed into ragged warts.",
-        pictures: &[picture("day 30", "amanita?v=1&s=1&d=30")],
-    },
-    Figure {
-        number: "4.15",
-        title: "Three fly agarics",
-        caption: "Only the pace of the red cells differs. When they divide every 6 days they crowd \
-                  the white warts, at 8 days both keep pace, and at 20 days white spreads.",
-        pictures: &[
-            picture("red divides: D_F 6 days", "mushroom?v=1&s=1&d=20&df=6"),
-            picture("red divides: D_F 8 days", "mushroom?v=1&s=1&d=20"),
-            picture("red divides: D_F 20 days", "mushroom?v=1&s=1&d=20&df=20"),
-        ],
-    },
-    Figure {
-        number: "4.16",
-        title: "Stripes that widen",
-        caption: "From picture to picture cells feel each other farther off: once, twice and three \
-                  times their spacing. The farther, the more room the crowded dark cells win, and \
-                  the stripes widen.",
-        pictures: &[
-            picture("reach ω_r 1", "long-watermelon?v=1&s=1&d=20"),
-            picture("reach ω_r 2", "long-watermelon?v=1&s=1&d=20&rs=2"),
-            picture("reach ω_r 3", "long-watermelon?v=1&s=1&d=20&rs=3"),
-        ],
-    },
-    Figure {
-        number: "4.17",
-        title: "A round watermelon",
-        caption: "A striped control image tells which first cells may be dark green. Light ones \
-                  among them make the flecks, and divisions fray the borders of the stripes.",
-        pictures: &[picture("day 20", "watermelon?v=1&s=1&d=20")],
-    },
-    Figure {
-        number: "4.18",
-        title: "A square watermelon",
-        caption: "The recipe of the round fruit on another body: the stripes run from the stem \
-                  over the edges of the cube and down its sides.",
-        pictures: &[picture("day 20", "square-watermelon?v=1&s=1&d=20")],
-    },
-    Figure {
-        number: "4.19",
-        title: "A snake plant",
-        caption: "Yellow cells begin at the rims alone and divide often; they press on the banded \
-                  middle, whose cells hardly divide, and the margins widen.",
-        pictures: &[picture("day 15", "sansevieria?v=1&s=1&d=15")],
-    },
-];
+static ALL: OnceLock<Vec<Figure>> = OnceLock::new();
+
+/// All figures in their order; on the page none before their text has come.
+pub fn all() -> &'static [Figure] {
+    #[cfg(not(target_arch = "wasm32"))]
+    ALL.get_or_init(|| read(include_str!("../../www/figures.txt")));
+    ALL.get().map_or(&[], |figures| figures)
+}
+
+/// Takes the text of the figures, once.
+pub fn take(text: String) {
+    ALL.get_or_init(|| read(text.leak()));
+}
+
+/// The figures of a text: of each its number and title in one line, the caption in the next one, and then a line for
+/// each picture, its link and its label. Figures are parted by an empty line.
+fn read(text: &'static str) -> Vec<Figure> {
+    let mut lines = text.lines();
+    let mut figures = Vec::new();
+    while let (Some(head), Some(caption)) = (lines.next(), lines.next()) {
+        let (number, title) = head.split_once(' ').unwrap_or_default();
+        let pictures = lines.by_ref().map_while(|line| line.split_once(' '));
+        let pictures = pictures.map(|(link, label)| Picture { label, link }).collect::<Vec<_>>();
+        figures.push(Figure { number, title, caption, pictures: pictures.leak() });
+    }
+    figures
+}
 
 /// The figure of a number.
 pub fn find(number: &str) -> Option<&'static Figure> {
-    FIGURES.iter().find(|figure| figure.number == number)
+    all().iter().find(|figure| figure.number == number)
 }
 
-/// The figure of whose pictures one has the recipe and the look of a scene.
-pub fn showing(scene: &Scene) -> Option<&'static Figure> {
+/// The pictures of the thesis whose numbers are not those of their plants, a line each with the number of the figure:
+/// `4.9 cactus?v=1&s=1&d=25&ff=0.7`. The build takes them out of the text of all figures.
+const CHANGED: &str = include_str!(concat!(env!("OUT_DIR"), "/changed.txt"));
+
+/// The number of the figure of the thesis of whose pictures one has the recipe and the look of a scene, which are not
+/// those of its plant.
+pub fn showing(scene: &Scene) -> Option<&'static str> {
     let plants = std::slice::from_ref(scene.plant);
-    let is_shown = |picture: &Picture| {
-        let of_plant = picture.link.split('?').next() == Some(scene.plant.key);
+    let is_shown = |link: &str| {
+        let of_plant = link.split('?').next() == Some(scene.plant.key);
         of_plant && {
-            let other = link::read(picture.link, plants).scene;
+            let other = link::read(link, plants).scene;
             other.plant.rules == scene.plant.rules
                 && other.recipe == scene.recipe
                 && other.look == scene.look
                 && other.noise == scene.noise
         }
     };
-    FIGURES.iter().find(|figure| figure.pictures.iter().any(is_shown))
+    let mut pictures = CHANGED.lines().filter_map(|line| line.split_once(' '));
+    pictures.find(|(_, link)| is_shown(link)).map(|(number, _)| number)
 }
 
 #[cfg(test)]
@@ -226,7 +108,13 @@ mod tests {
     use crate::plants;
     use crate::tissue::Recipe;
 
+    /// The scene of a picture, whose plant may have a file of its own.
     fn scene(picture: &Picture) -> Scene {
+        if let Some(key) = picture.unknown() {
+            let file = format!("{}/meshes/{key}.txt", env!("CARGO_MANIFEST_DIR"));
+            let plant = plants::bring(&std::fs::read_to_string(file).unwrap()).unwrap();
+            assert_eq!((plant.key, picture.unknown()), (key, None));
+        }
         let opened = link::read(picture.link, plants::all());
         assert_eq!(opened.left_out, [""; 0], "{}", picture.link);
         opened.scene
@@ -234,12 +122,13 @@ mod tests {
 
     #[test]
     fn every_picture_is_a_link_as_we_write_it() {
-        for figure in FIGURES {
+        for figure in all() {
             assert!(!figure.pictures.is_empty());
             for (k, picture) in figure.pictures.iter().enumerate() {
-                assert_eq!(link::write(&scene(picture)), picture.link);
+                let link = link::write(&scene(picture));
+                assert_eq!(link.clone() + picture.beside(), picture.link);
                 // They stand in tables whose columns are parted by commas.
-                assert!(!picture.label.contains([',', '"']) && !picture.link.contains([',', '"']));
+                assert!(!picture.label.contains([',', '"']) && !link.contains([',', '"']));
                 let before = &figure.pictures[..k];
                 assert!(before.iter().all(|p| p.label != picture.label), "{}", picture.label);
                 assert!(before.iter().all(|p| p.link != picture.link), "{}", picture.link);
@@ -248,19 +137,63 @@ mod tests {
     }
 
     #[test]
+    fn the_text_is_read_whole() {
+        let mut text = String::new();
+        for figure in all() {
+            let Figure { number, title, caption, .. } = figure;
+            text += &format!("{number} {title}\n{caption}\n");
+            for Picture { label, link } in figure.pictures {
+                text += &format!("{link} {label}\n");
+            }
+            text += "\n";
+        }
+        assert_eq!(text.trim_end(), include_str!("../../www/figures.txt").trim_end());
+    }
+
+    #[test]
     fn figures_stand_in_order_and_are_found() {
-        let place = |figure: &Figure| figure.number[2..].parse::<u32>().unwrap();
-        assert!(FIGURES.windows(2).all(|pair| place(&pair[0]) < place(&pair[1])));
-        for figure in FIGURES {
+        // Those of the thesis by chapter and number, then the others by their names.
+        let place = |figure: &Figure| {
+            let numbers = figure.number.split('.').map(|number| number.parse::<u32>().ok());
+            let numbers: Option<Vec<u32>> = numbers.collect();
+            (numbers.is_none(), numbers, figure.number)
+        };
+        assert!(all().windows(2).all(|pair| place(&pair[0]) < place(&pair[1])));
+        for figure in all() {
             assert_eq!(find(figure.number), Some(figure));
-            let sentences = figure.caption.matches(['.', '?']).count();
-            assert!(figure.caption.ends_with('.') && sentences <= 3, "{}", figure.caption);
+            // An address, the name of an element and that of a file.
+            let is_plain = |c: char| c.is_ascii_alphanumeric() || "-.".contains(c);
+            assert!(!figure.number.is_empty() && figure.number.chars().all(is_plain));
+            assert!(!figure.title.is_empty() && !figure.title.ends_with('.'), "{}", figure.title);
+            let sentences = figure.caption.split(". ").count();
+            assert!(figure.caption.ends_with('.') && sentences <= 4, "{}", figure.caption);
         }
         assert_eq!(find("4.6"), None);
     }
 
-    /// The figure of Figs. 4.5 to 4.7, which have no row in the table.
-    const NOISE: &str = "4.5";
+    #[test]
+    fn what_is_not_as_the_plant_has_it_is_known_without_the_text() {
+        let of_thesis = all().iter().filter(|f| f.number.starts_with(|c: char| c.is_ascii_digit()));
+        let mut changed = String::new();
+        for figure in of_thesis {
+            for picture in figure.pictures {
+                let scene = scene(picture);
+                let preset = Scene::preset(scene.plant, scene.individual);
+                let is_changed = scene.recipe != preset.recipe || scene.noise;
+                if is_changed {
+                    changed += &format!("{} {}\n", figure.number, link::write(&scene));
+                }
+                assert_eq!(showing(&scene).is_some(), is_changed, "{}", picture.link);
+            }
+        }
+        assert_eq!(changed, CHANGED);
+    }
+
+    /// The rows of Table 4.1 stand in this chapter.
+    const CHAPTER: &str = "4.";
+
+    /// The figures of Figs. 4.5 to 4.7, which have no row in the table.
+    const NOISE: [&str; 2] = ["4.5", "4.7"];
 
     /// A row of Table 4.1: days, then `radius_scale`, `initial_cells`, adhesion FF and BB, and the
     /// days between divisions of F and B.
@@ -294,7 +227,8 @@ mod tests {
 
     #[test]
     fn the_parameters_are_those_of_table_4_1() {
-        let rows = || FIGURES.iter().filter(|figure| figure.number != NOISE);
+        let is_of_table = |f: &&Figure| f.number.starts_with(CHAPTER) && !NOISE.contains(&f.number);
+        let rows = || all().iter().filter(is_of_table);
         let numbers: Vec<&str> = rows().map(|figure| figure.number).collect();
         assert_eq!(numbers, TABLE_4_1.iter().map(|row| row.0).collect::<Vec<_>>());
         for figure in rows() {
@@ -325,7 +259,7 @@ mod tests {
         for plant in plants::all().iter().filter(|plant| plant.source.contains("Fig.")) {
             let shown =
                 |figure: &&Figure| figure.pictures.iter().any(|p| scene(p).plant.key == plant.key);
-            assert!(FIGURES.iter().any(|f| shown(&f)), "{}", plant.key);
+            assert!(all().iter().any(|f| shown(&f)), "{}", plant.key);
         }
     }
 }

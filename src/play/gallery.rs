@@ -1,9 +1,9 @@
 //! The brain of the figures: grows one figure's row of pictures at a time, each growth on a worker of
-//! its own, and says which day of which growth every picture shows. Like the page's brain it knows no
+//! its own, has the files of plants fetched that only a figure shows, and says which day of which growth every picture shows. Like the page's brain it knows no
 //! browser.
 
 use super::camera::Orbit;
-use super::figures::Figure;
+use super::figures::{Figure, Picture};
 use super::hand::Hand;
 use super::meshes::Meshes;
 use super::page::{Effect, State};
@@ -11,7 +11,7 @@ use super::protocol::{BUILD, ToPage, ToWorker};
 use super::run::DayFacts;
 use super::{End, Run, Scene, link, words};
 use crate::mosaic::SiteLists;
-use crate::plants::Plant;
+use crate::plants::{Plant, bring};
 use glam::Vec2;
 
 /// Of so many pictures all days are held.
@@ -53,6 +53,7 @@ pub type Days = Vec<(&'static str, u32)>;
 /// The row that grows.
 pub struct Row {
     pub figure: &'static Figure,
+    /// None while the files of plants of their own are awaited.
     pub pictures: Vec<Scene>,
     /// The wished day: a picture whose own day is earlier stays on that one.
     pub day: u32,
@@ -107,7 +108,7 @@ impl Gallery {
         let mut effects = Vec::new();
         match event {
             Event::Open(figure) => self.open(figure, &mut effects),
-            Event::Day(day) => self.wish_day(day),
+            Event::Day(day) => self.wish_day(day, &mut effects),
             Event::Look { right_deg, up_deg, zoom } => {
                 for scene in self.row.iter_mut().flat_map(|row| &mut row.pictures) {
                     let orbit = scene.orbit.turned(right_deg, up_deg).zoomed(zoom, Vec2::ZERO);
@@ -117,12 +118,20 @@ impl Gallery {
             Event::FromWorker(number, answer) => self.listen(number, answer, &mut effects),
             Event::WorkerLost(number, why) => self.lose(number, why, &mut effects),
             Event::Mesh { name, text } => {
+                // That of a plant of its own says it.
+                let is_plant = text.as_ref().is_ok_and(|text| bring(text).is_some());
                 let news = self.meshes.take(name, text);
+                if is_plant {
+                    self.open_anew(&mut effects);
+                }
                 let is_wanted = |run: &&mut Run| run.scene.plant.body.mesh.name == name;
                 if let (Some(Err(why)), Some(row)) = (news, &mut self.row) {
                     for run in row.runs.iter_mut().filter(is_wanted) {
                         run.end = Some(End::Failed);
                         row.trouble = Some(words::no_mesh(run.scene.plant, &why));
+                    }
+                    if row.figure.pictures.iter().any(|p| p.unknown() == Some(name)) {
+                        row.trouble = Some(words::no_plants(&why));
                     }
                 }
             }
@@ -133,7 +142,13 @@ impl Gallery {
 
     fn open(&mut self, figure: &'static Figure, effects: &mut Vec<(usize, Effect)>) {
         let read = |link| link::read(link, self.plants).scene;
-        let pictures: Vec<Scene> = figure.pictures.iter().map(|p| read(p.link)).collect();
+        let mut pictures: Vec<Scene> = figure.pictures.iter().map(|p| read(p.link)).collect();
+        let mut files = Vec::new();
+        for key in figure.pictures.iter().filter_map(Picture::unknown) {
+            pictures.clear();
+            self.meshes.provide(key, None, &mut files);
+        }
+        effects.extend(files.into_iter().map(|file| (0, file)));
         let mut runs: Vec<Run> = Vec::new();
         for picture in &pictures {
             // Days after the last one that is looked at need not grow.
@@ -160,10 +175,17 @@ impl Gallery {
         self.row = Some(row);
     }
 
+    /// Opens the row that waits for its plants once more: each file is asked for that is not on its way.
+    fn open_anew(&mut self, effects: &mut Vec<(usize, Effect)>) {
+        if let Some(row) = self.row.take_if(|row| row.pictures.is_empty()) {
+            self.open(row.figure, effects);
+        }
+    }
+
     /// A row whose mesh could not be had is tried again.
-    fn wish_day(&mut self, day: u32) {
+    fn wish_day(&mut self, day: u32, effects: &mut Vec<(usize, Effect)>) {
         let Some(row) = &mut self.row else { return };
-        row.day = day.min(row.last_day());
+        row.day = if row.pictures.is_empty() { day } else { day.min(row.last_day()) };
         self.days.retain(|(number, _)| *number != row.figure.number);
         self.days.push((row.figure.number, row.day));
         let has_failed = |run: &&mut Run| self.meshes.has_failed(run.scene.plant.body.mesh.name);
@@ -171,6 +193,7 @@ impl Gallery {
             row.trouble = None;
             run.end = None;
         }
+        self.open_anew(effects);
     }
 
     fn listen(&mut self, number: usize, answer: ToPage, effects: &mut Vec<(usize, Effect)>) {
@@ -302,10 +325,11 @@ impl Row {
         Some(if is_clear { cells } else { format!("Day {}: {cells}", shown.day) })
     }
 
-    /// The link of what a picture is to show.
+    /// The link of what a picture is to show, and what is beside it.
     pub fn link(&self, picture: usize) -> String {
         let scene = &self.pictures[picture];
-        link::write(&Scene { day: self.day.min(scene.day), ..scene.clone() })
+        let link = link::write(&Scene { day: self.day.min(scene.day), ..scene.clone() });
+        link + self.figure.pictures[picture].beside()
     }
 
     /// The growth that a picture shows a day of.
@@ -318,7 +342,7 @@ impl Row {
         if self.trouble.is_some() {
             return State::Error;
         }
-        let mut all = State::Ready;
+        let mut all = if self.pictures.is_empty() { State::Loading } else { State::Ready };
         for (k, scene) in self.pictures.iter().enumerate() {
             let Some(shown) = self.shown(k) else { return State::Loading };
             let has_ended = self.run(k).is_some_and(|run| run.end.is_some());

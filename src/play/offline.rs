@@ -64,7 +64,9 @@ pub fn never_changes(address: &str) -> bool {
 fn address(file: &str) -> String {
     match file {
         "index.html" => PAGE.to_string(),
-        of_build if ["meshes/", "words/"].iter().any(|folder| of_build.starts_with(folder)) => {
+        of_build
+            if ["figures.txt", "meshes/", "words/"].iter().any(|way| of_build.starts_with(way)) =>
+        {
             format!("{of_build}?build={BUILD}")
         }
         other => other.to_string(),

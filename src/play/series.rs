@@ -1,8 +1,8 @@
-//! What an address asks to see side by side: the figures of the thesis, or a series of pictures made from links
+//! What an address asks to see side by side: the figures, or a series of pictures made from links
 //! that give several values to a number: `nursery/croton?v=1&s=1..12`, `steps/croton?v=1&pf=0.1,0.5&s=1..3`,
 //! `compare/croton?v=1/cactus?v=1`.
 
-use super::figures::{FIGURES, Figure, Picture};
+use super::figures::{self, Figure, Picture};
 use super::parameters::{PARAMETERS, Parameter};
 use super::{Scene, link};
 use crate::plants;
@@ -50,7 +50,7 @@ impl View {
     /// The rows of what is asked for. Those of a series are there for as long as the page is: a few kilobytes.
     pub fn rows(&self, rest: &'static str) -> Vec<&'static Figure> {
         if self.is_of_figures() {
-            return FIGURES.iter().collect();
+            return figures::all().iter().collect();
         }
         let links: Vec<String> = rest.split('/').flat_map(several).take(MOST_PICTURES).collect();
         let mut caption = self.caption.to_string();

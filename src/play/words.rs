@@ -112,7 +112,7 @@ pub fn source(scene: &Scene) -> String {
     match changed + usize::from(scene.noise) {
         0 => own.to_string(),
         changes => match figures::showing(scene) {
-            Some(figure) => format!("Thesis, Fig. {}", figure.number),
+            Some(figure) => format!("Thesis, Fig. {figure}"),
             None => {
                 let own = own.strip_prefix("after ").unwrap_or(own);
                 let figure = own.strip_prefix("Thesis, ").filter(|f| f.starts_with("Fig."));
@@ -135,6 +135,11 @@ pub fn no_such_cell(cells: u32) -> String {
 pub fn no_mesh(plant: &Plant, why: &str) -> String {
     let name = plant.name.to_ascii_lowercase();
     format!("The shape of the {name} could not be loaded ({why}). Choose a day to try again.")
+}
+
+/// Why there are no plants in a row of figures.
+pub fn no_plants(why: &str) -> String {
+    format!("The plants of this row could not be loaded ({why}). Choose a day to try again.")
 }
 
 /// Why something does not grow. That memory ran out is the likeliest reason for which a worker ends.

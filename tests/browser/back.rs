@@ -27,7 +27,8 @@ fn back_and_forward_go_from_plant_to_plant() {
 #[test]
 fn place_and_days_of_the_figures_come_back() {
     let Some(page) = Page::open(Graphics::WebGpu, "#figures") else { return };
-    page.wait_for("the title", "return document.title === 'Figures · Clonal Mosaic'");
+    page.wait_for("the row", "return document.getElementById('figure-4.15') !== null");
+    assert_eq!(page.run("return document.title"), "Figures · Clonal Mosaic");
     page.run("document.getElementById('figures').scrollTop = document.getElementById('figure-4.15').offsetTop - 60");
     page.run(
         "const day = document.querySelector('[id=\"figure-4.15\"] .days input');

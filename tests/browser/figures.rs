@@ -2,9 +2,11 @@
 
 use crate::engines::{Engine, Graphics};
 use crate::page::Page;
+use clonal_mosaic::import::Made;
 use clonal_mosaic::plants;
 use clonal_mosaic::play::{figures, link, words};
 use clonal_mosaic::tissue::Progress;
+use serde_json::json;
 use std::sync::Arc;
 
 /// A row whose pictures differ, and grow fast.
@@ -33,7 +35,7 @@ fn wait_for_row(page: &Page, told: &[String]) {
         "the row to grow",
         &format!(
             "const row = document.getElementById('figure-{NUMBER}');
-             const told = [...row.querySelectorAll('.told')].map(e => e.textContent);
+             const told = [...row?.querySelectorAll('.told') ?? []].map(e => e.textContent);
              return JSON.stringify(told) === JSON.stringify({told})
                  && row.querySelectorAll('.picture[data-live]').length === told.length"
         ),
@@ -160,4 +162,112 @@ fn the_days_of_a_row_are_pulled_together() {
                  && [...row.querySelectorAll('.picture')].every(a => a.hash.includes('d=0'))"
         ),
     );
+}
+
+/// The file of the figures' text, as it is asked for.
+const TEXT: &str = "figures.txt";
+
+#[test]
+fn the_text_is_fetched_when_the_figures_are_opened() {
+    let Some(page) = Page::open(Graphics::Neither, "#mushroom?v=1&s=1&d=1&df=20") else { return };
+    page.on_day(1);
+    // Whose recipe it is the page knows by itself.
+    assert_eq!(page.text("source"), "Thesis, Fig. 4.15");
+    assert!(!has_fetched(&page, TEXT));
+    page.click("to-figures");
+    let count = figures::all().len();
+    let all = format!("return document.querySelectorAll('.figure').length === {count}");
+    page.wait_for("all rows", &all);
+    assert!(has_fetched(&page, TEXT));
+}
+
+/// Whether the page itself has fetched a file: the service worker keeps all of them.
+fn has_fetched(page: &Page, file: &str) -> bool {
+    let script = format!(
+        "return performance.getEntriesByType('resource').some(e => e.name.includes('{file}'))"
+    );
+    page.run(&script) == true
+}
+
+#[test]
+fn figures_that_do_not_come_are_told_and_asked_for_again() {
+    let Some(page) = Page::start(Graphics::Neither) else { return };
+    page.devtools("Network.enable", json!({}));
+    page.devtools("Network.setBlockedURLs", json!({ "urls": [format!("*{TEXT}*")] }));
+    page.visit(&format!("#figures/{NUMBER}"));
+    let told = "const told = document.getElementById('figures-trouble');
+                return told.checkVisibility() && told.textContent.includes('could not be loaded')
+                    && document.documentElement.dataset.state === 'error'";
+    page.wait_for("the trouble", told);
+    assert_eq!(page.run("return document.querySelectorAll('.figure').length"), 0);
+    page.devtools("Network.setBlockedURLs", json!({ "urls": [] }));
+    page.run("document.querySelector('#figures-trouble button').click()");
+    page.wait_for(
+        "the row that was asked for",
+        &format!(
+            "const row = document.getElementById('figure-{NUMBER}');
+             const top = row?.getBoundingClientRect().top;
+             return !document.getElementById('figures-trouble').checkVisibility()
+                 && top >= 0 && top < innerHeight"
+        ),
+    );
+}
+
+#[test]
+fn leaves_by_numbers_grow_from_files_of_their_own() {
+    let figure = figures::find("Viennot-19").expect("a row of leaves");
+    let Some(page) = Page::open(Graphics::WebGpu, "#figures/4.8") else { return };
+    page.ready();
+    assert!(!has_fetched(&page, "own-figure-"), "nobody has looked at them");
+    page.run(&format!("location.hash = '#figures/{}'", figure.number));
+    page.wait_for(
+        "the leaves",
+        &format!(
+            "const row = document.getElementById('figure-{}');
+             return row && row.querySelectorAll('.picture[data-live]').length === {}
+                 && document.documentElement.dataset.state === 'ready'",
+            figure.number,
+            figure.pictures.len()
+        ),
+    );
+    let told = page.run(&format!(
+        "const row = document.getElementById('figure-{}');
+         return [...row.querySelectorAll('.told')].map(e => e.textContent)",
+        figure.number
+    ));
+    let told: Vec<String> = serde_json::from_value(told).expect("texts");
+    for (picture, told) in figure.pictures.iter().zip(&told) {
+        assert_eq!(told, &natively(picture.link), "{}", picture.label);
+    }
+
+    // One opens as any plant, and its link anywhere.
+    page.run(&format!(
+        "document.getElementById('figure-{}').querySelectorAll('.picture')[3].click()",
+        figure.number
+    ));
+    let state = page.ready();
+    let link = figure.pictures[3].link;
+    assert_eq!(
+        (page.link().as_str(), state.plant.as_str()),
+        (link, link.split('?').next().unwrap())
+    );
+    page.visit(&format!("#{link}"));
+    let again = page.wait("the same leaf", |s| s.plant == state.plant && s.state == "ready");
+    assert_eq!(again.fingerprint, state.fingerprint);
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+/// What stands below the picture of a leaf by rule.
+fn natively(link: &str) -> String {
+    let (link, words) = link.split_once('~').expect("the words of its body");
+    let own = Made::of_words(words).unwrap().own().unwrap();
+    plants::bring(&own.text);
+    let query = link.split_once('?').expect("a link").1;
+    let scene = link::read(&format!("{}?{query}", own.key), plants::all()).scene;
+    let mesh = Arc::new(scene.plant.grow_body(scene.plant.body.mesh.text).unwrap().surface);
+    let mut growth = scene.plant.sow(mesh, scene.recipe, scene.individual).unwrap();
+    while growth.step() != Progress::Day(scene.day) {}
+    let count = growth.diary.count(scene.day as usize);
+    let shares = words::shares(scene.plant, count);
+    format!("{} cells, {shares}", words::grouped(count.cells))
 }

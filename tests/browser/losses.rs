@@ -78,7 +78,8 @@ fn days_that_have_grown_stay_when_the_worker_dies() {
 fn a_row_of_figures_outlives_a_worker() {
     let Some(page) = open("made < 1 && day >= 3", "#figures/4.15") else { return };
     page.ready();
-    let told = "return [...document.querySelectorAll('#figure-4\\\\.15 .told')]
-                    .every(told => told.textContent.includes(' cells, '))";
+    let told = "const told = [...document.querySelectorAll('#figure-4\\\\.15 .told')];
+                return told.length === 3
+                    && told.every(told => told.textContent.includes(' cells, '))";
     assert_eq!(page.run(told), true);
 }

@@ -6,7 +6,7 @@ use crate::engines::Graphics;
 use crate::page::Page;
 use crate::start::preset_link;
 use clonal_mosaic::plants;
-use clonal_mosaic::play::figures::FIGURES;
+use clonal_mosaic::play::figures;
 use serde_json::json;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -60,7 +60,7 @@ fn posters() {
         let small = still.with_shadows(|_, _| 0.0).smaller(STAGE_PX / CHOOSER_PX);
         small.save(&format!("{}-small", plant.key));
     }
-    for figure in FIGURES.iter().filter(|figure| is_wanted(figure.number)) {
+    for figure in figures::all().iter().filter(|figure| is_wanted(figure.number)) {
         page.visit(&format!("#figures/{}", figure.number));
         page.ready();
         for k in 0..figure.pictures.len() {
@@ -78,7 +78,7 @@ fn posters() {
 fn every_plant_and_picture_has_its_stills_and_there_are_no_others() {
     let of_plants =
         plants::all().iter().flat_map(|p| [p.key.to_string(), format!("{}-small", p.key)]);
-    let of_figures = FIGURES.iter().flat_map(|f| (0..f.pictures.len()).map(|k| f.poster(k)));
+    let of_figures = figures::all().iter().flat_map(|f| (0..f.pictures.len()).map(|k| f.poster(k)));
     let expected: BTreeSet<String> =
         of_plants.chain(of_figures).map(|name| format!("{name}.avif")).collect();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/posters");

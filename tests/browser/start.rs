@@ -103,7 +103,7 @@ fn assert_light(graphics: Graphics, most_bytes: usize) {
         let files = files_like(&start.files, first, plant);
         let bytes: usize = files.iter().map(|(_, bytes)| bytes).sum();
         assert!(bytes <= most_bytes, "{}: {bytes} bytes, {files:#?}", plant.key);
-        let later = ["offline.js", "install/", "studio", "workshop", "darkroom"];
+        let later = ["offline.js", "install/", "studio", "workshop", "darkroom", "figures"];
         let is_kept_later = files.iter().all(|(name, _)| !later.iter().any(|of| name.contains(of)));
         assert!(is_kept_later, "what is for later comes after it: {files:#?}");
     }

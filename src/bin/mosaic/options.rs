@@ -134,7 +134,7 @@ impl GrowOptions {
 /// What `mosaic figures` is asked for.
 #[derive(Args)]
 pub struct FigureOptions {
-    /// This figure alone, as 4.8; may be said several times
+    /// This figure alone, as 4.8 or Taxonomy; may be said several times
     #[arg(
         long = "figure", value_name = "NUMBER", action = ArgAction::Append,
         conflicts_with = "merge"

@@ -109,9 +109,9 @@ impl Table {
         if !rows.chunks(last.max(1)).all(is_whole) {
             return Err("the rows are of different sweeps".into());
         }
-        // A sweep says what varies, and a figure has a number.
+        // A sweep says the key of a plant, and a figure has a number or a name.
         let is_of_kind = |row: &Row| {
-            (kind == Kind::Figures) == row.figure.starts_with(|c: char| c.is_ascii_digit())
+            (kind == Kind::Sweep) == row.figure.starts_with(|c: char| c.is_ascii_lowercase())
         };
         if !rows.iter().all(is_of_kind) {
             let [this, other] = match kind {

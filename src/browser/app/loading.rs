@@ -9,26 +9,32 @@ use crate::play::gallery;
 use crate::play::page::Event;
 use crate::surface::unpack;
 
-/// Has a plant of the visitor's own known before its link is read. The studio puts it into the page, and knows
-/// whether it was kept.
+/// Has plants of files of their own known before a link with them is read. The studio puts them into the page, and knows
+/// whether one was kept.
 pub(super) fn bring_own(fragment: &str) {
     let is_of_key = |c: char| c.is_ascii_alphanumeric() || c == '-';
-    let mut words = fragment.split(|c| !is_of_key(c));
-    let Some(key) = words.find(|word| word.starts_with(plants::OWN)) else { return };
-    match files::held(&format!("meshes/{key}.txt")) {
-        Some(text) => {
-            plants::bring(&text);
-        }
-        None => {
-            let root = document().document_element().expect("a document has a root");
-            set_attribute(&root, "data-own", fragment);
-            load_studio("own");
+    let words = fragment.split(|c| !is_of_key(c));
+    for key in words.filter(|word| word.starts_with(plants::OWN)) {
+        match files::held(&files::mesh(key)) {
+            Some(text) => {
+                plants::bring(&text);
+            }
+            None => {
+                let root = document().document_element().expect("a document has a root");
+                set_attribute(&root, "data-own", fragment);
+                load_studio("own");
+            }
         }
     }
 }
 
 pub(super) async fn load_mesh(name: &'static str) {
     let text = files::read_mesh(name).await.map(|packed| unpack(&packed));
+    if let Ok(text) = &text
+        && name.starts_with(plants::OWN)
+    {
+        files::hold(&files::mesh(name), text);
+    }
     send_to_figures(gallery::Event::Mesh { name, text: text.clone() });
     send(Event::Mesh { name, text });
 }

@@ -5,7 +5,8 @@ use super::subject::{self, link_of};
 use super::wish::{ANEW, OWN};
 use super::with;
 use super::work::Said;
-use crate::browser::dom::{document, find, set_attribute, window};
+use crate::browser::address::wanted;
+use crate::browser::dom::{find, window};
 use crate::browser::files;
 use crate::import::Painted;
 use crate::plants::{self, Plant};
@@ -28,6 +29,30 @@ pub fn make(name: &str, bytes: &Uint8Array) {
         keep(name, bytes, &link);
     }
     make_on(link, name.to_string(), bytes.clone(), None);
+}
+
+/// Keys of plants whose files come with the playground, as only figures show them, begin so.
+const OF_FIGURES: &str = "own-figure-";
+
+/// Fetches the plants of figures that a link shows, and opens it with them; false where it shows none.
+pub fn fetch_of_figures(asked: &str) -> bool {
+    let is_of_key = |c: char| c.is_ascii_alphanumeric() || c == '-';
+    let words = asked.split(|c| !is_of_key(c)).filter(|word| word.starts_with(OF_FIGURES));
+    let keys: Vec<String> = words.map(str::to_string).collect();
+    if keys.is_empty() {
+        return false;
+    }
+    let link = format!("{}{}", asked.trim_start_matches('#'), wanted());
+    spawn_local(async move {
+        for key in &keys {
+            match files::read_mesh(key).await {
+                Ok(text) => drop(put(key, &text)),
+                Err(why) => return tell(&format!("The plant of this link did not come: {why}.")),
+            }
+        }
+        subject::go_to(&link);
+    });
+    true
 }
 
 /// Makes the plant that was kept, and shows it if it is the one that a link asks for.
@@ -155,16 +180,8 @@ fn put(key: &str, text: &str) -> Option<&'static Plant> {
 }
 
 /// Puts the text of a plant where the page looks for it.
-fn hold(key: &str, text: &str) {
-    let id = format!("meshes/{key}.txt");
-    if document().get_element_by_id(&id).is_none()
-        && let Ok(holder) = document().create_element("script")
-    {
-        set_attribute(&holder, "type", "text/plain");
-        set_attribute(&holder, "id", &id);
-        holder.set_text_content(Some(text));
-        let _ = document().head().expect("a page has a head").append_child(&holder);
-    }
+pub fn hold(key: &str, text: &str) {
+    files::hold(&files::mesh(key), text);
 }
 
 fn keep(name: &str, bytes: &Uint8Array, link: &str) {

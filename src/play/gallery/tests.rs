@@ -1,9 +1,9 @@
 //! Figures and their workers joined in memory.
 
-use super::super::figures::Picture;
 use super::super::testing::{PLANTS, SHEET};
 use super::super::worker::Worker;
 use super::*;
+mod files;
 mod looking;
 
 const ROW: Figure = Figure {
