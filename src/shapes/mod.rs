@@ -4,6 +4,7 @@ pub mod branching;
 mod chance;
 pub mod flower;
 pub mod leaf;
+mod read;
 mod rule;
 mod short;
 mod tube;

@@ -5,7 +5,7 @@ use super::flower::{Flower, FlowerNumbers};
 use super::leaf::{Leaf, LeafNumbers};
 use super::wrong::within;
 use super::{ShapeError, short};
-use crate::surface::{Moment, PolygonMesh};
+use crate::surface::{Moment, PolygonMesh, quoted};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::ops::RangeInclusive;
@@ -50,7 +50,9 @@ impl Rule {
                     ))
                 })?;
             } else if let Some(number) = word.strip_prefix(SIZE).filter(|_| kind == "leaf") {
-                size = number.parse().unwrap_or(f64::NAN);
+                size = number.parse().map_err(|_| {
+                    ShapeError(format!("size is {}: it must be a number", quoted(number)))
+                })?;
                 within("size", size, &SIZES)?;
             } else {
                 rest.push(word);
@@ -198,14 +200,15 @@ mod tests {
             ("moss", "", "a leaf, a tree or a flower"),
             ("leaf", "lobes", "no colon"),
             ("leaf", "lobes:4", "odd number"),
-            ("leaf", "lobes.more:4", "invalid type"),
-            ("leaf", "leaves:4", "unknown field `leaves`"),
+            ("leaf", "lobes.more:4", "lobes is numbers with names: it must be a whole number"),
+            ("leaf", "lobess:4", "there is no number \"lobess\": the nearest one is \"lobes\""),
             ("leaf", "individual:-1", "individual is -1"),
             ("leaf", "size:11", "size is 11"),
+            ("leaf", "size:large", "size is \"large\": it must be a number"),
             ("leaf", "size:10,petiole_cm:20", "petiole_cm is 200"),
             ("tree", "order:13", "from 1 to 12"),
-            ("flower", "petals.cross.0.at:0.5", "missing field"),
-            ("flower", "petals.open_cm:1_2", "invalid type"),
+            ("flower", "petals.cross.0.at:0.5", "petals.cross.0.lift_cm is missing"),
+            ("flower", "petals.open_cm:1_2", "petals.open_cm.0 is 1: it must be a list of numbers"),
         ] {
             let wrong = Rule::of_words(kind, words).unwrap_err().to_string();
             assert!(wrong.contains(told), "{words}: {wrong}");

@@ -2,7 +2,8 @@
 
 use super::Ramification;
 use crate::shapes::ShapeError;
-use crate::shapes::wrong::{read, within};
+use crate::shapes::read::read;
+use crate::shapes::wrong::within;
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 
@@ -209,8 +210,8 @@ mod tests {
     fn wrong_numbers_are_named() {
         for (text, words) in [
             ("{\"order\": 0}", "order is 0: it must be from 1 to 12"),
-            ("{\"order\": 2.5}", "invalid type"),
-            ("{\"forks_deg\": 2}", "unknown field `forks_deg`"),
+            ("{\"order\": 2.5}", "order is 2.5: it must be a whole number"),
+            ("{\"forks_deg\": 2}", "no number \"forks_deg\": the nearest one is \"fork_deg\""),
             ("{\"fork_deg\": 91}", "fork_deg is 91: it must be from 0 to 90"),
             ("{\"rise\": -0.6}", "rise is -0.6"),
             ("{\"sides\": 2}", "sides is 2"),
@@ -222,15 +223,18 @@ mod tests {
                 "{\"length\": {\"power\": {\"first_cm\": 1, \"exponent\": 9}}}",
                 "length.power.exponent",
             ),
-            ("{\"length\": {\"cubic\": {\"first_cm\": 1}}}", "unknown variant `cubic`"),
-            ("{\"width\": {\"murray\": {\"tip_cm\": 1}}}", "missing field `exponent`"),
+            (
+                "{\"length\": {\"cubic\": {\"first_cm\": 1}}}",
+                "length is \"cubic\": it must be one of linear",
+            ),
+            ("{\"width\": {\"murray\": {\"tip_cm\": 1}}}", "width.murray.exponent is missing"),
             (
                 "{\"width\": {\"murray\": {\"tip_cm\": 1, \"exponent\": 0}}}",
                 "width.murray.exponent",
             ),
             ("{\"matrix\": 3}", "matrix must be a name or a list of rows"),
-            ("{\"fork_deg\": 1e999}", "number out of range"),
-            ("7", "invalid type"),
+            ("{\"fork_deg\": 1e999}", "it is no JSON"),
+            ("7", "the whole is 7: it must be numbers with names"),
         ] {
             let wrong = TreeNumbers::from_json(text).unwrap_err().to_string();
             assert!(wrong.contains(words) && wrong.lines().count() == 1, "{text}: {wrong}");

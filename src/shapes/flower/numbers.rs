@@ -2,7 +2,8 @@
 
 use super::{Arrangement, PetalNumbers, ReceptacleNumbers, RodNumbers, StamenNumbers};
 use crate::shapes::ShapeError;
-use crate::shapes::wrong::{read, within};
+use crate::shapes::read::read;
+use crate::shapes::wrong::within;
 use serde::{Deserialize, Serialize};
 
 /// A flower in numbers. What is left out of a file is as in `FlowerNumbers::default`; parts that are `null` are
@@ -135,7 +136,7 @@ mod tests {
     #[test]
     fn wrong_numbers_are_named() {
         for (text, words) in [
-            ("{\"tepals\": 6}", "unknown field `tepals`"),
+            ("{\"tepals\": 6}", "there is no number \"tepals\": the nearest one is \"petals\""),
             ("{\"nod_deg\": 190}", "nod_deg is 190: it must be from 0 to 180"),
             ("{\"growth\": 12}", "growth is 12"),
             ("{\"open_day\": 0}", "open_day is 0"),
@@ -149,13 +150,16 @@ mod tests {
                 "{\"petals\": {\"left_cm\": [[1, 1], [400, 3]]}}",
                 "a number in petals.left_cm is 400",
             ),
-            ("{\"petals\": {\"left_cm\": [[1, 1, 2], [4, 3]]}}", "trailing characters"),
+            (
+                "{\"petals\": {\"left_cm\": [[1, 1, 2], [4, 3]]}}",
+                "petals.left_cm.0 has 3 numbers: it must have 2",
+            ),
             ("{\"petals\": {\"arrangement\": {\"whorls\": []}}}", "petals has 0 of them"),
             ("{\"petals\": {\"arrangement\": {\"whorls\": [3, 0]}}}", "whorls is 0"),
             ("{\"petals\": {\"arrangement\": {\"whorls\": [40, 40]}}}", "petals has 80 of them"),
             (
                 "{\"petals\": {\"arrangement\": {\"spiral\": {\"count\": 8}}}}",
-                "missing field `divergence_deg`",
+                "petals.arrangement.spiral.divergence_deg is missing",
             ),
             (
                 "{\"petals\": {\"arrangement\": {\"spiral\": {\"count\": 8, \"divergence_deg\": 0}}}}",
