@@ -36,6 +36,9 @@ const OF_LEAF: [(&str, [f32; 3], f32); 3] = [
     ("underside", [0.45, 0.55, 0.36], 0.1),
 ];
 
+/// The same of sepals.
+const OF_FLOWER: [(&str, [f32; 3], f32); 1] = [("sepal", [0.36, 0.5, 0.22], 0.2)];
+
 impl Made {
     /// Reads what links have behind their `~`: `leaf=on:croton.2,lobes:7`. What is left out is as usual.
     ///
@@ -112,12 +115,10 @@ impl Made {
         look.veins = false;
         let mut names = base.colour_names;
         let mut recipe = base.recipe.clone();
-        match self.rule.numbers {
+        match &self.rule.numbers {
             Numbers::Leaf(_) => {
                 recipe.initial_cells = (recipe.initial_cells / LEAVES).max(LEAST_CELLS);
-                let missing = OF_LEAF.iter().filter(|(name, ..)| !base.has_bare(name));
-                look.bare =
-                    base.look.bare.iter().chain(missing).copied().collect::<Vec<_>>().leak();
+                look.bare = with_missing(base, &OF_LEAF);
             }
             Numbers::Tree(_) => {
                 look =
@@ -129,7 +130,11 @@ impl Made {
                     }
                 }
             }
-            Numbers::Flower(_) => {}
+            Numbers::Flower(numbers) => {
+                if numbers.sepals.is_some() {
+                    look.bare = with_missing(base, &OF_FLOWER);
+                }
+            }
         }
         Plant {
             name,
@@ -167,6 +172,15 @@ impl Made {
     }
 }
 
+/// The bare materials of a plant's look, and those of others that it has not.
+fn with_missing(
+    plant: &Plant,
+    others: &[(&'static str, [f32; 3], f32)],
+) -> &'static [(&'static str, [f32; 3], f32)] {
+    let missing = others.iter().filter(|(name, ..)| !plant.has_bare(name));
+    plant.look.bare.iter().chain(missing).copied().collect::<Vec<_>>().leak()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -197,6 +211,7 @@ mod tests {
             "leaf=on:coleus.2,individual:2,border:smooth",
             "tree=order:3,matrix:perfect",
             "flower=open_day:2.0",
+            "flower=sepals.count:5,sepals.length:0.6",
         ] {
             let made = Made::of_words(words).unwrap();
             let own = made.own().unwrap();

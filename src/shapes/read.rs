@@ -22,6 +22,17 @@ pub(super) fn read<T: de::DeserializeOwned>(text: &str) -> Result<T, ShapeError>
     T::deserialize(Place(&value)).map_err(|wrong| ShapeError(wrong.told()))
 }
 
+/// Reads numbers that stand within others, at this way.
+///
+/// # Errors
+/// As `read`.
+pub(super) fn read_within<T: de::DeserializeOwned>(
+    way: &str,
+    value: &Value,
+) -> Result<T, ShapeError> {
+    T::deserialize(Place(value)).map_err(|wrong| ShapeError(wrong.within(way).told()))
+}
+
 /// What is wrong, and the way to where.
 #[derive(Debug)]
 struct Wrong {

@@ -162,6 +162,10 @@ mod tests {
             ("leaf", "length.linear.a_cm:0.5,length.linear.b_cm:-0.1"),
             ("tree", "matrix:0.5_0.5;0.25_0.25_0.5,order:3"),
             ("tree", "matrix:tokunaga:1+2,order:5"),
+            (
+                "flower",
+                "sepals.count:5,sepals.lead:0.3,sepals.length:0.5,sepals.open_deg:40,sepals.width:0.9",
+            ),
             ("flower", "growth:3,petals.open_cm:1_2;3_4.5;4_7,pistil:none"),
             (
                 "flower",

@@ -181,6 +181,11 @@ fn a_flower_is_told_in_numbers_and_opens_from_day_to_day() {
     assert_eq!(parts.map(|part| count(&lily, part)), [6, 0, 6, 1]);
     assert_eq!(lily["day"], 4.0);
     assert_eq!(parts.map(|part| count(&stats(&["--numbers", lotus]), part)), [16, 0, 24, 11]);
+    let wild = file(
+        "wild.json",
+        r#"{"sepals": {"count": 5}, "petals": {"arrangement": {"whorls": [5]}}}"#,
+    );
+    assert_eq!(parts.map(|part| count(&stats(&["--numbers", &wild]), part)), [5, 5, 6, 1]);
     // It grows without a step back from its bud to the flower.
     let area = |day: &str| stats(&["--day", day])["area_cm2"].as_f64().unwrap();
     let areas = ["0", "1", "1.5", "2", "3", "4"].map(area);

@@ -164,7 +164,7 @@ fn flower(options: &FlowerOptions) -> Result<(), Refusal> {
     let stats = FlowerStats {
         day,
         petals: numbers.petals.arrangement.count(),
-        sepals: numbers.sepals.map_or(0, |sepals| sepals.arrangement.count()),
+        sepals: numbers.sepals.map_or(0, |sepals| sepals.count()),
         stamens: numbers.stamens.map_or(0, |stamens| stamens.count),
         pistils: u32::from(numbers.pistil.is_some()) + numbers.receptacle.map_or(0, |r| r.carpels),
         area_cm2: flower.area_cm2(time),
