@@ -2,6 +2,7 @@
 
 pub mod branching;
 mod chance;
+pub(crate) mod crossing;
 pub mod flower;
 pub mod leaf;
 mod read;

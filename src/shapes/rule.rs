@@ -1,6 +1,6 @@
 //! A body by its rule: of which kind it is, its numbers, and which individual.
 
-use super::branching::{Tree, TreeNumbers, bark};
+use super::branching::{Tree, TreeNumbers, body};
 use super::flower::{Flower, FlowerNumbers};
 use super::leaf::{Leaf, LeafNumbers};
 use super::wrong::within;
@@ -107,7 +107,7 @@ impl Rule {
             Numbers::Tree(numbers) => {
                 numbers.check()?;
                 let matrix = numbers.matrix.ramification()?;
-                Ok(bark(&Tree::draw(&matrix, numbers.order, self.individual)?, numbers))
+                body(&Tree::draw(&matrix, numbers.order, self.individual)?, numbers)
             }
             Numbers::Flower(numbers) => {
                 Ok(opening(&Flower::new(numbers, self.individual)?, numbers.open_day))
@@ -162,6 +162,7 @@ mod tests {
             ("leaf", "length.linear.a_cm:0.5,length.linear.b_cm:-0.1"),
             ("tree", "matrix:0.5_0.5;0.25_0.25_0.5,order:3"),
             ("tree", "matrix:tokunaga:1+2,order:5"),
+            ("tree", "leaf_ends:0.5,leaf_hang:0"),
             (
                 "flower",
                 "sepals.count:5,sepals.lead:0.3,sepals.length:0.5,sepals.open_deg:40,sepals.width:0.9",

@@ -2,6 +2,7 @@
 
 use super::Ramification;
 use crate::shapes::ShapeError;
+use crate::shapes::leaf::LeafNumbers;
 use crate::shapes::read::read;
 use crate::shapes::wrong::within;
 use serde::{Deserialize, Serialize};
@@ -38,6 +39,17 @@ pub struct TreeNumbers {
     pub rise: f64,
     /// Corners around the thicker branches; 3 to 16. Those of orders 1 and 2 have two thirds of them.
     pub sides: u32,
+    /// What ends bear in the place of their twigs, if they bear leaves; its triangles, underside and fine veins are
+    /// left out.
+    pub leaf: Option<LeafNumbers>,
+    /// How many times as large as its numbers a leaf is; 0.05 to 10.
+    pub leaf_size: f64,
+    /// The share of the ends that bear one; 0 to 1.
+    pub leaf_ends: f64,
+    /// The share of the leaves, those farthest behind, that are spots of four corners; 0 to 1.
+    pub leaf_spots: f64,
+    /// How much leaves hang; under 0 they rise; -1 to 2.
+    pub leaf_hang: f64,
 }
 
 /// A matrix by its name or by its rows.
@@ -89,6 +101,11 @@ impl Default for TreeNumbers {
             width: Width::Murray { tip_cm: 0.15, exponent: 2.2 },
             rise: 0.05,
             sides: 8,
+            leaf: None,
+            leaf_size: 0.5,
+            leaf_ends: 1.0,
+            leaf_spots: 0.5,
+            leaf_hang: 0.4,
         }
     }
 }
@@ -117,6 +134,13 @@ impl TreeNumbers {
         within("length_spread", self.length_spread, &(0.0..=0.9))?;
         within("rise", self.rise, &(-0.5..=0.5))?;
         within("sides", f64::from(self.sides), &(3.0..=16.0))?;
+        within("leaf_size", self.leaf_size, &(0.05..=10.0))?;
+        within("leaf_ends", self.leaf_ends, &(0.0..=1.0))?;
+        within("leaf_spots", self.leaf_spots, &(0.0..=1.0))?;
+        within("leaf_hang", self.leaf_hang, &(-1.0..=2.0))?;
+        if let Some(leaf) = &self.leaf {
+            leaf.check().map_err(|ShapeError(why)| ShapeError(format!("leaf.{why}")))?;
+        }
         self.length.check("length")?;
         match self.width {
             Width::ByOrder(law) => law.check("width.by_order"),
@@ -232,6 +256,9 @@ mod tests {
                 "{\"width\": {\"murray\": {\"tip_cm\": 1, \"exponent\": 0}}}",
                 "width.murray.exponent",
             ),
+            ("{\"leaf\": {\"lobes\": 4}}", "leaf.lobes is 4: it must be an odd number"),
+            ("{\"leaf\": {\"lobe\": 3}}", "the nearest one is \"leaf.lobes\""),
+            ("{\"leaf_ends\": 2}", "leaf_ends is 2: it must be from 0 to 1"),
             ("{\"matrix\": 3}", "matrix must be a name or a list of rows"),
             ("{\"fork_deg\": 1e999}", "it is no JSON"),
             ("7", "the whole is 7: it must be numbers with names"),
