@@ -8,6 +8,7 @@ use super::{ShapeError, short};
 use crate::surface::{Moment, PolygonMesh, quoted};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde_json::Value;
 use std::ops::RangeInclusive;
 
 /// A body that a rule makes of its numbers.
@@ -70,6 +71,36 @@ impl Rule {
             _ => return Err(ShapeError("a shape is a leaf, a tree or a flower".into())),
         };
         Ok(Rule { numbers, individual })
+    }
+
+    /// Reads a file of numbers, as `to_json` writes them, as those of the kind that has most of its names; of a text
+    /// that has none of them nothing.
+    ///
+    /// # Errors
+    /// Names of another kind, and numbers out of their ranges.
+    pub fn of_json(text: &str) -> Option<Result<Rule, ShapeError>> {
+        let told: Value = serde_json::from_str(text.trim_start_matches('\u{feff}')).ok()?;
+        let told = told.as_object()?;
+        let known = |usual: Value| told.keys().filter(|name| usual.get(name).is_some()).count();
+        let leaf = known(json(&LeafNumbers::default()));
+        let tree = known(json(&TreeNumbers::default()));
+        let flower = known(json(&FlowerNumbers::default()));
+        let numbers = match leaf.max(tree).max(flower) {
+            0 => return None,
+            most if most == leaf => LeafNumbers::from_json(text).map(Numbers::Leaf),
+            most if most == tree => TreeNumbers::from_json(text).map(Numbers::Tree),
+            _ => FlowerNumbers::from_json(text).map(|numbers| Numbers::Flower(numbers.into())),
+        };
+        Some(numbers.map(|numbers| Rule { numbers, individual: 1 }))
+    }
+
+    /// The kind as `of_words` reads it.
+    pub fn kind(&self) -> &'static str {
+        match self.numbers {
+            Numbers::Leaf(_) => "leaf",
+            Numbers::Tree(_) => "tree",
+            Numbers::Flower(_) => "flower",
+        }
     }
 
     /// The words that `of_words` reads.
@@ -140,7 +171,7 @@ fn written<T: Serialize + Default + DeserializeOwned>(numbers: &T) -> String {
     short::written(&json(numbers), &json(&T::default()))
 }
 
-fn json(numbers: &impl Serialize) -> serde_json::Value {
+fn json(numbers: &impl Serialize) -> Value {
     serde_json::to_value(numbers).expect("numbers are JSON")
 }
 
@@ -184,6 +215,34 @@ mod tests {
         assert_eq!(Rule::of_words("flower", &rule.to_words()), Ok(rule.clone()));
         let Numbers::Flower(numbers) = &rule.numbers else { unreachable!() };
         assert_eq!(FlowerNumbers::from_json(&rule.to_json()).as_ref(), Ok(&**numbers));
+    }
+
+    #[test]
+    fn a_file_of_numbers_says_of_which_kind_it_is() {
+        for (kind, words) in [
+            ("leaf", "lobes:7,fine.closed:true"),
+            ("leaf", ""),
+            ("tree", "matrix:0.5_0.5;,order:2"),
+            ("tree", "leaf.lobes:1,leaf.border:smooth"),
+            ("flower", "pistil:none,sepals.count:5"),
+        ] {
+            let rule = Rule::of_words(kind, words).unwrap();
+            assert_eq!(rule.kind(), kind);
+            assert_eq!(Rule::of_json(&rule.to_json()), Some(Ok(rule.clone())));
+            assert_eq!(Rule::of_words(kind, &rule.to_words()), Ok(rule));
+        }
+        for (text, kind) in [
+            (r#"{"lobes": 3}"#, "leaf"),
+            (r#"{"order": 3}"#, "tree"),
+            (r#"{"nod_deg": 3}"#, "flower"),
+        ] {
+            assert_eq!(Rule::of_json(text).unwrap().unwrap().kind(), kind);
+        }
+        let told = Rule::of_json(r#"{"lobes": 3, "nods": 4}"#).unwrap().unwrap_err().to_string();
+        assert_eq!(told, "there is no number \"nods\": the nearest one is \"nodes\"");
+        for other in ["", "3", "{}", r#"{"days": 3, "initial_cells": 4}"#] {
+            assert_eq!(Rule::of_json(other), None);
+        }
     }
 
     #[test]

@@ -84,6 +84,41 @@ fn a_tree_is_written_as_a_mesh_that_can_be_grown_on() {
 }
 
 #[test]
+fn a_tree_bears_leaves_that_carry_the_cells() {
+    let numbers = file(
+        "maple.json",
+        r#"{"order": 4, "leaf": {"lobes": 3, "nodes": 4, "petiole_cm": 2}, "leaf_spots": 0.25}"#,
+    );
+    let out = path("maple.obj");
+    let stats = json(&["shape", "tree", "--numbers", &numbers, "--obj", &out, "--stats"]);
+    let ends = stats["leaves"].as_u64().unwrap() as usize;
+    let text = std::fs::read_to_string(&out).unwrap();
+    for line in
+        ["g leaves", "g far leaves", "usemtl blade", "usemtl bare:petiole", "usemtl bare:bark"]
+    {
+        assert!(text.lines().any(|l| l == line), "{line}");
+    }
+    // All that carries cells are leaves, one on each end; a quarter of them are spots.
+    let surface = clonal_mosaic::surface::Brought::read(text.as_bytes()).unwrap().body.surface;
+    surface.check().unwrap();
+    assert_eq!(surface.part_count(), ends);
+    let mut faces = vec![0; ends];
+    surface.parts.iter().for_each(|&part| faces[part as usize] += 1);
+    let spots = faces.iter().filter(|&&count| count == 2).count();
+    assert_eq!(spots, (0.25 * ends as f64).round() as usize, "of {ends}");
+    let recipe = file("on-maple.json", crate::SMALL);
+    let grown = json(&["grow", "--mesh", &out, "--recipe", &recipe, "--day", "1", "--json"]);
+    assert!(grown["days"][1]["cells"].as_u64() >= Some(60));
+    // Half of the ends may stay twigs.
+    let half = file("half.json", r#"{"order": 4, "leaf": {"lobes": 1}, "leaf_ends": 0.5}"#);
+    succeed(&["shape", "tree", "--numbers", &half, "--obj", &out]);
+    let text = std::fs::read_to_string(&out).unwrap();
+    let surface = clonal_mosaic::surface::Brought::read(text.as_bytes()).unwrap().body.surface;
+    assert!((ends / 4..ends).contains(&surface.part_count()), "{ends}");
+    assert!(text.lines().any(|l| l == "g order 1"));
+}
+
+#[test]
 fn a_leaf_is_told_in_numbers_of_its_closed_forms() {
     let numbers = file(
         "leaf.json",

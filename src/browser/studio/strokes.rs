@@ -2,8 +2,10 @@
 //! it is moved by mouse, finger or arrow keys.
 
 use super::field::each;
+use super::shape::ShapeView;
+use super::wish::SHAPE;
 use super::with;
-use crate::browser::dom::{Listener, on, set_attribute};
+use crate::browser::dom::{Listener, on, set_attribute, within};
 use crate::play::typed;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, Event, HtmlInputElement, KeyboardEvent, PointerEvent};
@@ -133,12 +135,60 @@ impl Strokes {
     }
 }
 
-pub fn hundredths(cm: f64) -> f64 {
+/// The edges of a petal, which may mirror each other.
+const EDGES: [&str; 2] = ["petals.left_cm", "petals.right_cm"];
+
+impl ShapeView {
+    /// Moves a point of a stroke, and the one across it where both edges are alike.
+    pub(super) fn move_point(&mut self, key: &str, k: usize, to: impl Fn([f64; 2]) -> [f64; 2]) {
+        let field = |key: &str| field(&self.dialog, key);
+        let Some(mut points) = points_of(&field(key)) else { return };
+        let Some(point) = points.get_mut(k) else { return };
+        *point = to(*point).map(|cm| hundredths(cm.clamp(-100.0, 100.0)));
+        let [x, y] = *point;
+        write(&field(key), &points);
+        let is_alike = within::<HtmlInputElement>(&self.dialog, ".alike").checked();
+        let across = EDGES.iter().position(|edge| *edge == key).map(|edge| EDGES[1 - edge]);
+        if let Some(across) = across.filter(|_| is_alike)
+            && let Some(mut others) = points_of(&field(across))
+            && let Some(other) = others.get_mut(k)
+        {
+            *other = [-x + 0.0, y];
+            write(&field(across), &others);
+            self.exact.retain(|(other, _)| other != across);
+        }
+        self.exact.retain(|(other, _)| other != key);
+        self.act_on(key);
+        self.tell_numbers();
+        self.wish(SHAPE);
+    }
+
+    /// Draws the petals that the fields have.
+    pub(super) fn show_strokes(&mut self) {
+        let field = |key: &str| field(&self.dialog, key);
+        for drawing in &mut self.strokes {
+            let stroke = |key: String| {
+                let field = field(&key);
+                let points = points_of(&field)?;
+                Some((key, name_of(&field), points))
+            };
+            let strokes: Vec<_> = drawing.keys().into_iter().filter_map(stroke).collect();
+            drawing.show(&strokes);
+        }
+    }
+}
+
+/// The field of a stroke.
+fn field(dialog: &Element, key: &str) -> HtmlInputElement {
+    within(dialog, &format!("[data-key=\"{key}\"]"))
+}
+
+fn hundredths(cm: f64) -> f64 {
     (100.0 * cm).round() / 100.0 + 0.0
 }
 
 /// The points of a field, or none where they are no points.
-pub fn points(field: &HtmlInputElement) -> Option<Vec<[f64; 2]>> {
+fn points_of(field: &HtmlInputElement) -> Option<Vec<[f64; 2]>> {
     let value = field.value();
     let point = |point: &str| {
         let (x, y) = point.split_once('_')?;
@@ -149,7 +199,7 @@ pub fn points(field: &HtmlInputElement) -> Option<Vec<[f64; 2]>> {
 }
 
 /// Writes points into a field.
-pub fn write(field: &HtmlInputElement, points: &[[f64; 2]]) {
+fn write(field: &HtmlInputElement, points: &[[f64; 2]]) {
     let words: Vec<String> = points.iter().map(|[x, y]| format!("{x}_{y}")).collect();
     field.set_value(&words.join(";"));
 }
@@ -168,7 +218,7 @@ pub fn all(dialog: &Element) -> Vec<Strokes> {
 }
 
 /// What a field is called.
-pub fn name_of(field: &HtmlInputElement) -> String {
+fn name_of(field: &HtmlInputElement) -> String {
     let label = field.closest("label").ok().flatten();
     let text = label.and_then(|label| label.text_content()).unwrap_or_default();
     text.trim().to_string()
