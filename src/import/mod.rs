@@ -1,6 +1,7 @@
 //! Files in: what was taken away is opened again, as the link of the scene that it shows; and photographs, as
 //! the colours of a plant.
 
+mod drawn;
 mod made;
 mod own;
 mod painted;
@@ -12,6 +13,7 @@ use crate::play::{FIRST_INDIVIDUAL, Scene, link};
 use crate::shapes::Rule;
 use crate::surface::quoted;
 use crate::tissue::Recipe;
+pub use drawn::{in_few_points, line_meant};
 pub use made::Made;
 pub use own::{Own, of_document, of_mesh};
 pub use painted::{

@@ -255,6 +255,31 @@ fn a_flower_has_sepals_and_a_tree_the_leaf_that_was_made_last() {
 }
 
 #[test]
+fn a_line_that_is_drawn_anew_is_a_stroke_of_the_petal_and_undone_by_the_keys() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
+    page.on_day(1);
+    page.click("shape");
+    drawn(&page, "leaf=");
+    choose_kind(&page, "flower");
+    drawn(&page, "flower=");
+    let petal = "#shape-dialog svg[data-strokes~=\"petals.vein_cm\"]";
+    page.run(&format!("document.querySelector('{petal}').scrollIntoView({{block: 'center'}})"));
+    // Up from the middle, along the vein.
+    page.drag(petal, 3, -50);
+    let value = "return document.querySelector('input[data-key=\"petals.vein_cm\"]').value";
+    page.wait_for("a vein of more points", &format!("{} !== '0_0;0_11.2'", value));
+    let vein = page.run(value).as_str().unwrap().to_string();
+    assert_eq!(vein.split(';').count(), 7, "{vein}");
+    drawn(&page, &format!("flower=petals.vein_cm:{vein}"));
+    page.run(
+        "document.querySelector('#shape-dialog .kind').dispatchEvent(
+             new KeyboardEvent('keydown', {key: 'z', ctrlKey: true, bubbles: true, cancelable: true}))",
+    );
+    drawn(&page, "flower=");
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
 fn a_file_of_numbers_makes_its_body_again_and_what_is_wrong_is_told_in_words() {
     let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
     page.on_day(1);

@@ -12,7 +12,7 @@ use js_sys::{Array, Float64Array, Uint8ClampedArray};
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{
     CanvasRenderingContext2d, Element, Event, HtmlCanvasElement, HtmlDialogElement, HtmlElement,
-    HtmlInputElement, HtmlSelectElement, ImageData,
+    HtmlInputElement, HtmlSelectElement, ImageData, KeyboardEvent,
 };
 
 pub struct ShapeView {
@@ -82,6 +82,22 @@ impl ShapeView {
         }));
         listeners.push(on(&within::<HtmlElement>(&dialog, ".hang"), "click", |_: Event| {
             with(|studio| studio.shape.hang_leaf());
+        }));
+        listeners.push(on(&dialog, "keydown", |event: KeyboardEvent| {
+            // In what is typed the key is the browser's own.
+            let is_typed = |element: Element| {
+                element
+                    .matches("textarea, input:not([type=range], [type=checkbox])")
+                    .unwrap_or(false)
+            };
+            let target = event.target().map(|target| target.unchecked_into());
+            if (event.ctrl_key() || event.meta_key())
+                && event.key() == "z"
+                && !target.is_some_and(is_typed)
+            {
+                event.prevent_default();
+                with(|studio| studio.shape.undo());
+            }
         }));
         let strokes = strokes::all(&dialog);
         ShapeView {
@@ -183,7 +199,7 @@ impl ShapeView {
         } else if let Some(key) = element.get_attribute("data-key") {
             let of = |key: &str| ONE_OF_SEVERAL.iter().find(|way| key.starts_with(**way));
             let other_kind = |other: &str| of(other).is_some() && of(other) == of(&key);
-            let of_leaf = |other: &str| key == LEAF && other.starts_with(OF_LEAF);
+            let of_leaf = |other: &str| key == LEAF && other.starts_with(LEAF);
             self.exact.retain(|(other, _)| *other != key && !other_kind(other) && !of_leaf(other));
         } else {
             if element.matches(".kind").unwrap_or(false) {

@@ -45,7 +45,7 @@ impl Flower {
             petals: perianth(&numbers.petals, 0),
             sepals: sepals.map(|sepals| match sepals {
                 Sepals::Around(few) => Perianth::around(few, &numbers.petals, irregularity, key(1)),
-                Sepals::Drawn(drawn) => perianth(drawn, 1),
+                Sepals::Drawn(drawn) => perianth(drawn.as_ref(), 1),
             }),
             stamens: numbers.stamens.as_ref().map(|s| Stamens::new(s, irregularity, key(2))),
             style: numbers.pistil.as_ref().map(|pistil| Rod::new(pistil, 0.0, 1.0)),
