@@ -106,6 +106,30 @@ impl Hung {
     }
 }
 
+/// The spot of a leaf where that hangs, and the box around it.
+struct Sheet {
+    triangles: [[Vec3; 3]; 2],
+    low: Vec3,
+    high: Vec3,
+}
+
+impl Sheet {
+    fn new(triangles: [[Vec3; 3]; 2]) -> Sheet {
+        let corners = || triangles.iter().flatten().copied();
+        let (low, high) =
+            (corners().fold(Vec3::MAX, Vec3::min), corners().fold(Vec3::MIN, Vec3::max));
+        Sheet { triangles, low, high }
+    }
+
+    fn cuts(&self, other: &Sheet) -> bool {
+        let apart = self.low.cmpgt(other.high).any() || other.low.cmpgt(self.high).any();
+        let cut = |one: &[Vec3; 3]| {
+            other.triangles.iter().any(|other| crosses(one, other) || crosses(other, one))
+        };
+        !apart && self.triangles.iter().any(cut)
+    }
+}
+
 /// Hangs a leaf on each end, in the first way that none of those before is in the way of, by its spot.
 fn hang(
     tree: &Tree,
@@ -116,7 +140,7 @@ fn hang(
 ) -> Vec<Hung> {
     let reach = flat.reach_cm();
     let cell = |p: DVec3| (p / (2.2 * reach)).floor().to_array().map(|at| at as i32);
-    let mut near: BTreeMap<[i32; 3], Vec<[[Vec3; 3]; 2]>> = BTreeMap::new();
+    let mut near: BTreeMap<[i32; 3], Vec<Sheet>> = BTreeMap::new();
     let around = |[x, y, z]: [i32; 3]| {
         (-1..=1).flat_map(move |i| {
             (-1..=1).flat_map(move |j| (-1..=1).map(move |k| [x + i, y + j, z + k]))
@@ -124,17 +148,12 @@ fn hang(
     };
     let hung_on = |&end: &usize| {
         let limb = &limbs[end];
-        let others: Vec<&[[Vec3; 3]; 2]> =
+        let others: Vec<&Sheet> =
             around(cell(limb.from)).filter_map(|at| near.get(&at)).flatten().collect();
         let way = |way| {
             let hung = Hung::new(limb, tree.nodes[end].key, way, numbers.leaf_hang);
-            let sheet = flat.sheet(|p| hung.place(p));
-            let cuts = |other: &&[[Vec3; 3]; 2]| {
-                let pairs =
-                    sheet.iter().flat_map(|one| other.iter().map(move |other| (one, other)));
-                pairs.into_iter().any(|(one, other)| crosses(one, other) || crosses(other, one))
-            };
-            (!others.iter().any(cuts), hung, sheet)
+            let sheet = Sheet::new(flat.sheet(|p| hung.place(p)));
+            (!others.iter().any(|other| sheet.cuts(other)), hung, sheet)
         };
         let (_, hung, sheet) =
             (0..WAYS).map(&way).find(|(is_free, ..)| *is_free).unwrap_or_else(|| way(0));
