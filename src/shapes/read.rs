@@ -94,8 +94,8 @@ impl Wrong {
 fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
     let far = |other: &str| steps(name, other);
     let meant = known.iter().min_by_key(|other| far(other))?;
-    // One letter of three may be another.
-    (3 * far(meant) <= name.chars().count().max(3)).then_some(meant)
+    // Fewer than one letter of three may be another, and one of few.
+    (3 * far(meant) < name.chars().count().max(4)).then_some(meant)
 }
 
 /// How many letters have to be put in, left out or changed to make one word of another (Levenshtein's distance).

@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn wrong_numbers_are_named() {
         for (text, words) in [
-            ("{\"tepals\": 6}", "there is no number \"tepals\": the nearest one is \"petals\""),
+            ("{\"tepals\": 6}", "there is no number \"tepals\": the nearest one is \"sepals\""),
             ("{\"nod_deg\": 190}", "nod_deg is 190: it must be from 0 to 180"),
             ("{\"growth\": 12}", "growth is 12"),
             ("{\"open_day\": 0}", "open_day is 0"),
