@@ -36,6 +36,13 @@ const OF_LEAF: [(&str, [f32; 3], f32); 3] = [
     ("underside", [0.45, 0.55, 0.36], 0.1),
 ];
 
+/// The same of the wood of a tree with leaves.
+const OF_TREE: [(&str, [f32; 3], f32); 2] =
+    [("bark", [0.42, 0.36, 0.29], 0.1), ("petiole", [0.42, 0.47, 0.2], 0.3)];
+
+/// The same of sepals.
+const OF_FLOWER: [(&str, [f32; 3], f32); 1] = [("sepal", [0.36, 0.5, 0.22], 0.2)];
+
 impl Made {
     /// Reads what links have behind their `~`: `leaf=on:croton.2,lobes:7`. What is left out is as usual.
     ///
@@ -92,11 +99,12 @@ impl Made {
     pub fn plant(&self) -> Plant {
         let base = self.base;
         let mut look = base.look.clone();
+        let is_leafy = matches!(&self.rule.numbers, Numbers::Tree(tree) if tree.leaf.is_some());
         let kept: fn(&Wrap) -> bool = match self.rule.numbers {
             Numbers::Leaf(_) => |wrap| !matches!(wrap, Wrap::Cylinder(_)),
-            Numbers::Flower(_) => |wrap| matches!(wrap, Wrap::Leaf),
             // Bark has no coordinates of a leaf.
-            Numbers::Tree(_) => |_| false,
+            Numbers::Tree(_) if !is_leafy => |_| false,
+            Numbers::Tree(_) | Numbers::Flower(_) => |wrap| matches!(wrap, Wrap::Leaf),
         };
         let paint: Vec<Paint> =
             base.paint.iter().filter(|paint| kept(&paint.wrap)).copied().collect();
@@ -112,13 +120,12 @@ impl Made {
         look.veins = false;
         let mut names = base.colour_names;
         let mut recipe = base.recipe.clone();
-        match self.rule.numbers {
+        match &self.rule.numbers {
             Numbers::Leaf(_) => {
                 recipe.initial_cells = (recipe.initial_cells / LEAVES).max(LEAST_CELLS);
-                let missing = OF_LEAF.iter().filter(|(name, ..)| !base.has_bare(name));
-                look.bare =
-                    base.look.bare.iter().chain(missing).copied().collect::<Vec<_>>().leak();
+                look.bare = with_missing(base, &OF_LEAF);
             }
+            Numbers::Tree(_) if is_leafy => look.bare = with_missing(base, &OF_TREE),
             Numbers::Tree(_) => {
                 look =
                     Look { cells: BARK.map(|(_, colour)| colour), gloss: 0.1, tinted: &[], ..look };
@@ -129,7 +136,11 @@ impl Made {
                     }
                 }
             }
-            Numbers::Flower(_) => {}
+            Numbers::Flower(numbers) => {
+                if numbers.sepals.is_some() {
+                    look.bare = with_missing(base, &OF_FLOWER);
+                }
+            }
         }
         Plant {
             name,
@@ -167,11 +178,21 @@ impl Made {
     }
 }
 
+/// The bare materials of a plant's look, and those of others that it has not.
+fn with_missing(
+    plant: &Plant,
+    others: &[(&'static str, [f32; 3], f32)],
+) -> &'static [(&'static str, [f32; 3], f32)] {
+    let missing = others.iter().filter(|(name, ..)| !plant.has_bare(name));
+    plant.look.bare.iter().chain(missing).copied().collect::<Vec<_>>().leak()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::plants::bring;
     use crate::play::{FIRST_INDIVIDUAL, Scene, link};
+    use crate::shapes::branching::{Census, Tree};
     use crate::shapes::flower::FlowerNumbers;
     use crate::shapes::leaf::LeafNumbers;
     use crate::surface::unpack;
@@ -196,7 +217,10 @@ mod tests {
             "leaf=lobes:3,on:red-croton.2",
             "leaf=on:coleus.2,individual:2,border:smooth",
             "tree=order:3,matrix:perfect",
+            "tree=order:4,leaf.lobes:3,leaf.nodes:4",
+            "tree=order:4,leaf.lobes:1,leaf_spots:0,on:croton.2",
             "flower=open_day:2.0",
+            "flower=sepals.count:5,sepals.length:0.6",
         ] {
             let made = Made::of_words(words).unwrap();
             let own = made.own().unwrap();
@@ -252,11 +276,31 @@ mod tests {
             };
             if line.contains("<input") && !key.contains("arrangement") {
                 let told = Rule::of_words(kind, &format!("{key}:{value}")).unwrap();
-                assert_eq!(told.to_words(), "", "{kind}: {key} is not {value}");
+                // The usual leaf on a tree is a leaf.
+                let usual = if key.starts_with("leaf.") { "leaf.lobes:5" } else { "" };
+                let usual = Rule::of_words(kind, usual).unwrap();
+                assert_eq!(told, usual, "{kind}: {key} is not {value}");
                 count += 1;
             }
         }
         assert!(count > 40, "{count} numbers");
+    }
+
+    #[test]
+    fn leaves_on_a_tree_carry_the_cells_and_its_wood_is_bare() {
+        let made = Made::of_words("tree=order:5,leaf.lobes:5,leaf.nodes:4,leaf_spots:0.5").unwrap();
+        let body = made.plant().grow_body(&made.mesh().unwrap().to_obj()).unwrap();
+        let Numbers::Tree(numbers) = &made.rule.numbers else { unreachable!() };
+        let matrix = numbers.matrix.ramification().unwrap();
+        let tree = Tree::draw(&matrix, numbers.order, 1).unwrap();
+        let ends = Census::new(&tree).leaves as usize;
+        assert_eq!(body.surface.part_count(), ends, "a part for each end");
+        let bare = |name: &str| made.plant().has_bare(name);
+        assert!(bare("bark") && bare("petiole"));
+        assert_eq!(made.plant().look.cells, plants::find("ficus").unwrap().look.cells);
+        // A bare tree has the colours of bark.
+        let bare = Made::of_words("tree=order:5").unwrap();
+        assert_eq!(bare.plant().look.cells[0], BARK[0].1);
     }
 
     #[test]

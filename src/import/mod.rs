@@ -1,6 +1,7 @@
 //! Files in: what was taken away is opened again, as the link of the scene that it shows; and photographs, as
 //! the colours of a plant.
 
+mod drawn;
 mod made;
 mod own;
 mod painted;
@@ -11,8 +12,10 @@ mod pictured_tests;
 
 use crate::plants::{self, Look};
 use crate::play::{FIRST_INDIVIDUAL, Scene, link, origin};
+use crate::shapes::Rule;
 use crate::surface::quoted;
 use crate::tissue::Recipe;
+pub use drawn::{in_few_points, line_meant};
 pub use made::Made;
 pub use own::{Own, of_document, of_mesh};
 pub use painted::{Brush, MOST_RADIUS, Painted, Skin, Spot, Stroke, Way, painted_of_link};
@@ -21,8 +24,8 @@ pub use photo::{coloured, matched, patterned, types};
 use serde_json::Value;
 
 /// The link of the scene in a file: of a picture, a model or a drawing that was taken away here the one that
-/// is written in it, of a plant document the one that says its numbers, of a recipe the one that grows it on
-/// the plant of `now`.
+/// is written in it, of a plant document the one that says its numbers, of the numbers of a body by rule the
+/// one that makes it, of a recipe the one that grows it on the plant of `now`.
 ///
 /// # Errors
 /// In plain words, why there is none.
@@ -113,9 +116,14 @@ fn link_within(bytes: &[u8]) -> Option<String> {
 fn link_of_json(text: &str, now: &Scene) -> Result<String, String> {
     let json: Value = serde_json::from_str(text.trim_start_matches('\u{feff}'))
         .map_err(|why| format!("it is no JSON: {why}"))?;
-    // A document says so itself; what does not is a recipe.
+    // A document says so itself; the numbers of a body have names of their own; what has none of them is a recipe.
     if json.get("mosaic_plant").is_some() {
         return link_of_plant(&json);
+    }
+    if let Some(rule) = Rule::of_json(text) {
+        let rule = rule.map_err(|why| why.to_string())?;
+        let kind = rule.kind();
+        return Ok(format!("{}{kind}~{kind}={}", plants::OWN, rule.to_words()));
     }
     let recipe = Recipe::from_json(text).map_err(|why| why.to_string())?;
     link_that_says(&Scene { day: now.day.min(recipe.days), recipe, ..now.clone() })
@@ -222,6 +230,16 @@ mod tests {
         assert!(why.contains("Mine") && why.contains("is a plant of its own"), "{why}");
         let broken = plant.to_json().replace("\"recipe\"", "\"recipes\"");
         assert!(link_of_file(broken.as_bytes(), &scene("")).is_err());
+
+        // Numbers of a body lead to it.
+        let made = Made::of_words("leaf=lobes:7,border:smooth").unwrap();
+        assert_eq!(
+            link_of_file(made.to_json().as_bytes(), &scene("")).as_deref(),
+            Ok("own-leaf~leaf=border:smooth,lobes:7")
+        );
+        let why = link_of_file(b"{\"lobes\": 4}", &scene("")).unwrap_err();
+        assert!(why.contains("lobes is 4: it must be an odd number"), "{why}");
+        assert_eq!(of_document("{\"lobes\": 4}", "").unwrap_err(), why);
 
         // A recipe grows on the plant that is there, if links can say it.
         let now = scene("cactus?v=1&s=3&d=2");

@@ -2,6 +2,7 @@
 
 use crate::plants::{Growths, Motion, Plant, Shape, to_text};
 use crate::play::Scene;
+use crate::shapes::Rule;
 use crate::surface::{Brought, BroughtError, NO_TWIN};
 use std::sync::Arc;
 
@@ -24,6 +25,10 @@ const USUAL_CM: f32 = 20.0;
 /// # Errors
 /// In plain words, why it cannot be grown.
 pub fn of_document(json: &str, obj: &str) -> Result<Own, String> {
+    // Numbers of a body are no document; what is wrong with them is said by their names.
+    if let Some(Err(why)) = Rule::of_json(json) {
+        return Err(why.to_string());
+    }
     let plant = Plant::from_json(json).map_err(|why| why.to_string())?;
     let body = plant.grow_body(obj).map_err(|why| why.to_string())?;
     plant.check_on(&Arc::new(body.surface)).map_err(|why| why.to_string())?;

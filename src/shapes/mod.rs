@@ -2,8 +2,10 @@
 
 pub mod branching;
 mod chance;
+pub(crate) mod crossing;
 pub mod flower;
 pub mod leaf;
+mod read;
 mod rule;
 mod short;
 mod tube;

@@ -1,13 +1,14 @@
 //! A body by its rule: of which kind it is, its numbers, and which individual.
 
-use super::branching::{Tree, TreeNumbers, bark};
+use super::branching::{Tree, TreeNumbers, body};
 use super::flower::{Flower, FlowerNumbers};
 use super::leaf::{Leaf, LeafNumbers};
 use super::wrong::within;
 use super::{ShapeError, short};
-use crate::surface::{Moment, PolygonMesh};
+use crate::surface::{Moment, PolygonMesh, quoted};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde_json::Value;
 use std::ops::RangeInclusive;
 
 /// A body that a rule makes of its numbers.
@@ -50,7 +51,9 @@ impl Rule {
                     ))
                 })?;
             } else if let Some(number) = word.strip_prefix(SIZE).filter(|_| kind == "leaf") {
-                size = number.parse().unwrap_or(f64::NAN);
+                size = number.parse().map_err(|_| {
+                    ShapeError(format!("size is {}: it must be a number", quoted(number)))
+                })?;
                 within("size", size, &SIZES)?;
             } else {
                 rest.push(word);
@@ -68,6 +71,36 @@ impl Rule {
             _ => return Err(ShapeError("a shape is a leaf, a tree or a flower".into())),
         };
         Ok(Rule { numbers, individual })
+    }
+
+    /// Reads a file of numbers, as `to_json` writes them, as those of the kind that has most of its names; of a text
+    /// that has none of them nothing.
+    ///
+    /// # Errors
+    /// Names of another kind, and numbers out of their ranges.
+    pub fn of_json(text: &str) -> Option<Result<Rule, ShapeError>> {
+        let told: Value = serde_json::from_str(text.trim_start_matches('\u{feff}')).ok()?;
+        let told = told.as_object()?;
+        let known = |usual: Value| told.keys().filter(|name| usual.get(name).is_some()).count();
+        let leaf = known(json(&LeafNumbers::default()));
+        let tree = known(json(&TreeNumbers::default()));
+        let flower = known(json(&FlowerNumbers::default()));
+        let numbers = match leaf.max(tree).max(flower) {
+            0 => return None,
+            most if most == leaf => LeafNumbers::from_json(text).map(Numbers::Leaf),
+            most if most == tree => TreeNumbers::from_json(text).map(Numbers::Tree),
+            _ => FlowerNumbers::from_json(text).map(|numbers| Numbers::Flower(numbers.into())),
+        };
+        Some(numbers.map(|numbers| Rule { numbers, individual: 1 }))
+    }
+
+    /// The kind as `of_words` reads it.
+    pub fn kind(&self) -> &'static str {
+        match self.numbers {
+            Numbers::Leaf(_) => "leaf",
+            Numbers::Tree(_) => "tree",
+            Numbers::Flower(_) => "flower",
+        }
     }
 
     /// The words that `of_words` reads.
@@ -105,7 +138,7 @@ impl Rule {
             Numbers::Tree(numbers) => {
                 numbers.check()?;
                 let matrix = numbers.matrix.ramification()?;
-                Ok(bark(&Tree::draw(&matrix, numbers.order, self.individual)?, numbers))
+                body(&Tree::draw(&matrix, numbers.order, self.individual)?, numbers)
             }
             Numbers::Flower(numbers) => {
                 Ok(opening(&Flower::new(numbers, self.individual)?, numbers.open_day))
@@ -138,7 +171,7 @@ fn written<T: Serialize + Default + DeserializeOwned>(numbers: &T) -> String {
     short::written(&json(numbers), &json(&T::default()))
 }
 
-fn json(numbers: &impl Serialize) -> serde_json::Value {
+fn json(numbers: &impl Serialize) -> Value {
     serde_json::to_value(numbers).expect("numbers are JSON")
 }
 
@@ -160,6 +193,11 @@ mod tests {
             ("leaf", "length.linear.a_cm:0.5,length.linear.b_cm:-0.1"),
             ("tree", "matrix:0.5_0.5;0.25_0.25_0.5,order:3"),
             ("tree", "matrix:tokunaga:1+2,order:5"),
+            ("tree", "leaf_ends:0.5,leaf_hang:0"),
+            (
+                "flower",
+                "sepals.count:5,sepals.lead:0.3,sepals.length:0.5,sepals.open_deg:40,sepals.width:0.9",
+            ),
             ("flower", "growth:3,petals.open_cm:1_2;3_4.5;4_7,pistil:none"),
             (
                 "flower",
@@ -177,6 +215,34 @@ mod tests {
         assert_eq!(Rule::of_words("flower", &rule.to_words()), Ok(rule.clone()));
         let Numbers::Flower(numbers) = &rule.numbers else { unreachable!() };
         assert_eq!(FlowerNumbers::from_json(&rule.to_json()).as_ref(), Ok(&**numbers));
+    }
+
+    #[test]
+    fn a_file_of_numbers_says_of_which_kind_it_is() {
+        for (kind, words) in [
+            ("leaf", "lobes:7,fine.closed:true"),
+            ("leaf", ""),
+            ("tree", "matrix:0.5_0.5;,order:2"),
+            ("tree", "leaf.lobes:1,leaf.border:smooth"),
+            ("flower", "pistil:none,sepals.count:5"),
+        ] {
+            let rule = Rule::of_words(kind, words).unwrap();
+            assert_eq!(rule.kind(), kind);
+            assert_eq!(Rule::of_json(&rule.to_json()), Some(Ok(rule.clone())));
+            assert_eq!(Rule::of_words(kind, &rule.to_words()), Ok(rule));
+        }
+        for (text, kind) in [
+            (r#"{"lobes": 3}"#, "leaf"),
+            (r#"{"order": 3}"#, "tree"),
+            (r#"{"nod_deg": 3}"#, "flower"),
+        ] {
+            assert_eq!(Rule::of_json(text).unwrap().unwrap().kind(), kind);
+        }
+        let told = Rule::of_json(r#"{"lobes": 3, "nods": 4}"#).unwrap().unwrap_err().to_string();
+        assert_eq!(told, "there is no number \"nods\": the nearest one is \"nodes\"");
+        for other in ["", "3", "{}", r#"{"days": 3, "initial_cells": 4}"#] {
+            assert_eq!(Rule::of_json(other), None);
+        }
     }
 
     #[test]
@@ -198,14 +264,15 @@ mod tests {
             ("moss", "", "a leaf, a tree or a flower"),
             ("leaf", "lobes", "no colon"),
             ("leaf", "lobes:4", "odd number"),
-            ("leaf", "lobes.more:4", "invalid type"),
-            ("leaf", "leaves:4", "unknown field `leaves`"),
+            ("leaf", "lobes.more:4", "lobes is numbers with names: it must be a whole number"),
+            ("leaf", "lobess:4", "there is no number \"lobess\": the nearest one is \"lobes\""),
             ("leaf", "individual:-1", "individual is -1"),
             ("leaf", "size:11", "size is 11"),
+            ("leaf", "size:large", "size is \"large\": it must be a number"),
             ("leaf", "size:10,petiole_cm:20", "petiole_cm is 200"),
             ("tree", "order:13", "from 1 to 12"),
-            ("flower", "petals.cross.0.at:0.5", "missing field"),
-            ("flower", "petals.open_cm:1_2", "invalid type"),
+            ("flower", "petals.cross.0.at:0.5", "petals.cross.0.lift_cm is missing"),
+            ("flower", "petals.open_cm:1_2", "petals.open_cm.0 is 1: it must be a list of numbers"),
         ] {
             let wrong = Rule::of_words(kind, words).unwrap_err().to_string();
             assert!(wrong.contains(told), "{words}: {wrong}");

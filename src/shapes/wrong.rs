@@ -19,10 +19,3 @@ pub(super) fn within(
     let (least, most) = (range.start(), range.end());
     Err(ShapeError(format!("{name} is {value}: it must be from {least} to {most}")))
 }
-
-/// Reads numbers as they stand in a JSON text.
-pub(super) fn read<'a, T: serde::Deserialize<'a>>(text: &'a str) -> Result<T, ShapeError> {
-    // What editors of Windows put before a text.
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    serde_json::from_str(text).map_err(|e| ShapeError(e.to_string()))
-}

@@ -188,3 +188,141 @@ fn a_tree_has_a_matrix_of_ones_own_and_a_flower_strokes_that_are_drawn() {
     page.wait("its first cells", |s| s.plant == key_of(&words) && s.cells != "0");
     assert_eq!(page.complaints(), [""; 0]);
 }
+
+/// Chooses one of several in the dialog.
+fn choose(page: &Page, key: &str, value: &str) {
+    page.run(&format!(
+        "const field = document.querySelector('#shape-dialog select[data-key=\"{key}\"]');
+         field.value = '{value}';
+         field.dispatchEvent(new Event('input', {{bubbles: true}}))"
+    ));
+}
+
+/// The words that the dialog has drawn.
+fn words(page: &Page) -> String {
+    let drawn = page.run("return document.getElementById('shape-dialog').dataset.drawn");
+    drawn.as_str().unwrap_or_default().to_string()
+}
+
+#[test]
+fn a_flower_has_sepals_and_a_tree_the_leaf_that_was_made_last() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
+    page.on_day(1);
+    page.click("shape");
+    drawn(&page, "leaf=");
+    set(&page, "lobes", "3");
+    set(&page, "size", "2");
+    drawn(&page, "leaf=lobes:3,size:2");
+
+    choose_kind(&page, "flower");
+    drawn(&page, "flower=");
+    let bare = seen(&page);
+    set(&page, "sepals.count", "5");
+    drawn(&page, "flower=sepals.count:5");
+    assert!(seen(&page) != bare, "sepals are seen");
+    let flower = "flower=sepals.count:5,sepals.open_deg:90";
+    set(&page, "sepals.open_deg", "90");
+    drawn(&page, flower);
+    assert_eq!(grow(&page, flower), key_of(flower));
+
+    page.click("shape");
+    drawn(&page, flower);
+    choose_kind(&page, "tree");
+    drawn(&page, "tree=");
+    set(&page, "order", "4");
+    drawn(&page, "tree=order:4");
+    choose(&page, "leaf", "typed");
+    page.wait_for(
+        "leaves on the tree",
+        "return document.getElementById('shape-dialog').dataset.drawn.includes('leaf.lobes:5')",
+    );
+    page.run("document.querySelector('#shape-dialog .hang').click()");
+    page.wait_for(
+        "the leaf that was made",
+        "return document.getElementById('shape-dialog').dataset.drawn.includes('leaf.lobes:3')",
+    );
+    let leafy = words(&page);
+    assert!(leafy.contains("order:4") && !leafy.contains("size:2"), "{leafy}");
+    assert_eq!(grow(&page, &leafy), key_of(&leafy));
+    page.wait("its first cells", |s| s.plant == key_of(&leafy) && s.cells != "0");
+
+    // The dialog comes back with the leaf, and without it the tree is bare.
+    page.click("shape");
+    drawn(&page, &leafy);
+    choose(&page, "leaf", "");
+    drawn(&page, "tree=order:4");
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
+fn a_line_that_is_drawn_anew_is_a_stroke_of_the_petal_and_undone_by_the_keys() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
+    page.on_day(1);
+    page.click("shape");
+    drawn(&page, "leaf=");
+    choose_kind(&page, "flower");
+    drawn(&page, "flower=");
+    let petal = "#shape-dialog svg[data-strokes~=\"petals.vein_cm\"]";
+    page.run(&format!("document.querySelector('{petal}').scrollIntoView({{block: 'center'}})"));
+    // Up from the middle, along the vein.
+    page.drag(petal, 3, -50);
+    let value = "return document.querySelector('input[data-key=\"petals.vein_cm\"]').value";
+    page.wait_for("a vein of more points", &format!("{} !== '0_0;0_11.2'", value));
+    let vein = page.run(value).as_str().unwrap().to_string();
+    assert_eq!(vein.split(';').count(), 7, "{vein}");
+    drawn(&page, &format!("flower=petals.vein_cm:{vein}"));
+    page.run(
+        "document.querySelector('#shape-dialog .kind').dispatchEvent(
+             new KeyboardEvent('keydown', {key: 'z', ctrlKey: true, bubbles: true, cancelable: true}))",
+    );
+    drawn(&page, "flower=");
+    assert_eq!(page.complaints(), [""; 0]);
+}
+
+#[test]
+fn a_file_of_numbers_makes_its_body_again_and_what_is_wrong_is_told_in_words() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
+    page.on_day(1);
+    let made = Made::of_words("leaf=border:smooth,lobes:1,nodes:6").unwrap();
+    page.drop("leaf.json", "application/json", made.to_json().as_bytes());
+    let again = "leaf=border:smooth,lobes:1,nodes:6";
+    page.wait_for("its link", &format!("return location.hash.endsWith('~{again}')"));
+    page.wait("its body", |s| s.plant == key_of(again) && s.state == "ready");
+    page.click("shape");
+    drawn(&page, "leaf=lobes:1,nodes:6,border:smooth");
+    page.run("document.getElementById('shape-dialog').close()");
+
+    page.drop("leaf.json", "application/json", b"{\"lobess\": 3, \"nodes\": 4}");
+    let told = "there is no number \\\"lobess\\\": the nearest one is \\\"lobes\\\"";
+    page.wait_for(
+        "what is wrong with the file",
+        &format!("return document.getElementById('message-list').textContent.includes(\"{told}\")"),
+    );
+    page.run("location.hash = '#own-leaf~leaf=lobess:3'");
+    page.wait_for(
+        "what is wrong with the link",
+        &format!(
+            "const told = document.getElementById('message-list').textContent;
+             return told.includes('of this link') && told.includes(\"{told}\")"
+        ),
+    );
+}
+
+#[test]
+fn the_sliders_beside_the_body_are_seen_in_a_low_window() {
+    let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
+    page.on_day(1);
+    page.browser.resize(1280, 600);
+    page.click("shape");
+    drawn(&page, "leaf=");
+    choose_kind(&page, "flower");
+    drawn(&page, "flower=");
+    for slider in ["around", "above", "time"] {
+        let is_seen = format!(
+            "const slider = document.querySelector('#shape-dialog .{slider}');
+             const {{left, right, top, bottom}} = slider.getBoundingClientRect();
+             return document.elementFromPoint((left + right) / 2, (top + bottom) / 2) === slider"
+        );
+        assert_eq!(page.run(&is_seen), true, "{slider} lies under something or outside");
+    }
+}

@@ -84,6 +84,41 @@ fn a_tree_is_written_as_a_mesh_that_can_be_grown_on() {
 }
 
 #[test]
+fn a_tree_bears_leaves_that_carry_the_cells() {
+    let numbers = file(
+        "maple.json",
+        r#"{"order": 4, "leaf": {"lobes": 3, "nodes": 4, "petiole_cm": 2}, "leaf_spots": 0.25}"#,
+    );
+    let out = path("maple.obj");
+    let stats = json(&["shape", "tree", "--numbers", &numbers, "--obj", &out, "--stats"]);
+    let ends = stats["leaves"].as_u64().unwrap() as usize;
+    let text = std::fs::read_to_string(&out).unwrap();
+    for line in
+        ["g leaves", "g far leaves", "usemtl blade", "usemtl bare:petiole", "usemtl bare:bark"]
+    {
+        assert!(text.lines().any(|l| l == line), "{line}");
+    }
+    // All that carries cells are leaves, one on each end; a quarter of them are spots.
+    let surface = clonal_mosaic::surface::Brought::read(text.as_bytes()).unwrap().body.surface;
+    surface.check().unwrap();
+    assert_eq!(surface.part_count(), ends);
+    let mut faces = vec![0; ends];
+    surface.parts.iter().for_each(|&part| faces[part as usize] += 1);
+    let spots = faces.iter().filter(|&&count| count == 2).count();
+    assert_eq!(spots, (0.25 * ends as f64).round() as usize, "of {ends}");
+    let recipe = file("on-maple.json", crate::SMALL);
+    let grown = json(&["grow", "--mesh", &out, "--recipe", &recipe, "--day", "1", "--json"]);
+    assert!(grown["days"][1]["cells"].as_u64() >= Some(60));
+    // Half of the ends may stay twigs.
+    let half = file("half.json", r#"{"order": 4, "leaf": {"lobes": 1}, "leaf_ends": 0.5}"#);
+    succeed(&["shape", "tree", "--numbers", &half, "--obj", &out]);
+    let text = std::fs::read_to_string(&out).unwrap();
+    let surface = clonal_mosaic::surface::Brought::read(text.as_bytes()).unwrap().body.surface;
+    assert!((ends / 4..ends).contains(&surface.part_count()), "{ends}");
+    assert!(text.lines().any(|l| l == "g order 1"));
+}
+
+#[test]
 fn a_leaf_is_told_in_numbers_of_its_closed_forms() {
     let numbers = file(
         "leaf.json",
@@ -181,6 +216,11 @@ fn a_flower_is_told_in_numbers_and_opens_from_day_to_day() {
     assert_eq!(parts.map(|part| count(&lily, part)), [6, 0, 6, 1]);
     assert_eq!(lily["day"], 4.0);
     assert_eq!(parts.map(|part| count(&stats(&["--numbers", lotus]), part)), [16, 0, 24, 11]);
+    let wild = file(
+        "wild.json",
+        r#"{"sepals": {"count": 5}, "petals": {"arrangement": {"whorls": [5]}}}"#,
+    );
+    assert_eq!(parts.map(|part| count(&stats(&["--numbers", &wild]), part)), [5, 5, 6, 1]);
     // It grows without a step back from its bud to the flower.
     let area = |day: &str| stats(&["--day", day])["area_cm2"].as_f64().unwrap();
     let areas = ["0", "1", "1.5", "2", "3", "4"].map(area);
@@ -302,7 +342,7 @@ fn wrong_numbers_are_refused_on_one_line() {
         (&["tree", "--matrix", "uniform", "--order", "12"], "more than 100000 leaves"),
         (&["tree", "--numbers", "missing.json"], "missing.json"),
         (&["tree", "--numbers", &no_json], "no-shape.json"),
-        (&["tree", "--numbers", &unknown], "unknown field `height`"),
+        (&["tree", "--numbers", &unknown], "there is no number \"height\": there are "),
         (&["tree", "--numbers", &steep], "fork_deg is 120: it must be from 0 to 90"),
         (&["tree", "--numbers", &nameless], "nameless.json: there is no matrix"),
         (&["tree", "--obj", "no/such/folder.obj"], "folder.obj"),
@@ -310,11 +350,11 @@ fn wrong_numbers_are_refused_on_one_line() {
         (&["leaf", "--order", "3"], "--order"),
         (&["leaf", "--numbers", "missing.json"], "missing.json"),
         (&["leaf", "--numbers", &no_json], "no-shape.json"),
-        (&["leaf", "--numbers", &unknown], "unknown field `height`"),
+        (&["leaf", "--numbers", &unknown], "there is no number \"height\": there are "),
         (&["leaf", "--numbers", &even], "even.json: lobes is 4: it must be an odd number"),
         (&["leaf", "--obj", "no/such/folder.obj"], "folder.obj"),
         (&["flower", "--numbers", "missing.json"], "missing.json"),
-        (&["flower", "--numbers", &unknown], "unknown field `height`"),
+        (&["flower", "--numbers", &unknown], "there is no number \"height\": there are "),
         (
             &["flower", "--numbers", &upside],
             "upside.json: nod_deg is 200: it must be from 0 to 180",

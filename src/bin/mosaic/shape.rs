@@ -4,7 +4,7 @@ use super::Refusal;
 use super::options::{from_one_to, whole};
 use super::output::{Target, cannot, say};
 use clap::{Args, Subcommand};
-use clonal_mosaic::shapes::branching::{Census, Matrix, Ramification, Tree, TreeNumbers, bark};
+use clonal_mosaic::shapes::branching::{self, Census, Matrix, Ramification, Tree, TreeNumbers};
 use clonal_mosaic::shapes::flower::{Flower, FlowerNumbers};
 use clonal_mosaic::shapes::leaf::{Leaf, LeafNumbers, Limb};
 use clonal_mosaic::shapes::{ShapeError, opening};
@@ -164,7 +164,7 @@ fn flower(options: &FlowerOptions) -> Result<(), Refusal> {
     let stats = FlowerStats {
         day,
         petals: numbers.petals.arrangement.count(),
-        sepals: numbers.sepals.map_or(0, |sepals| sepals.arrangement.count()),
+        sepals: numbers.sepals.map_or(0, |sepals| sepals.count()),
         stamens: numbers.stamens.map_or(0, |stamens| stamens.count),
         pistils: u32::from(numbers.pistil.is_some()) + numbers.receptacle.map_or(0, |r| r.carpels),
         area_cm2: flower.area_cm2(time),
@@ -196,7 +196,7 @@ fn tree(options: &TreeOptions) -> Result<(), Refusal> {
     let target = body.target()?;
     let tree = Tree::draw(&matrix, numbers.order, body.individual).map_err(|e| e.to_string())?;
     if let Some(target) = target {
-        write(target, &bark(&tree, &numbers))?;
+        write(target, &of_numbers(body, branching::body(&tree, &numbers))?)?;
     }
     let Census { leaves, branches, .. } = Census::new(&tree);
     let matrix = Census::new(&tree).matrix();

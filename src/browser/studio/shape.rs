@@ -13,11 +13,11 @@ use js_sys::{Array, Float64Array, Uint8ClampedArray};
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{
     CanvasRenderingContext2d, Element, Event, HtmlCanvasElement, HtmlDialogElement, HtmlElement,
-    HtmlInputElement, HtmlSelectElement, ImageData,
+    HtmlInputElement, HtmlSelectElement, ImageData, KeyboardEvent,
 };
 
 pub struct ShapeView {
-    dialog: HtmlDialogElement,
+    pub(super) dialog: HtmlDialogElement,
     /// The workshop, as long as the dialog is open: it stays, so that a slider is answered at once.
     work: Option<Work>,
     /// The wish that it is at.
@@ -26,12 +26,14 @@ pub struct ShapeView {
     next: Option<&'static str>,
     asked_ms: f64,
     /// Words that no slider has moved since: of a link, or of a kind to begin with. They say what no slider can.
-    exact: Vec<(String, String)>,
+    pub(super) exact: Vec<(String, String)>,
     /// The petals as they are drawn.
     pub(super) strokes: Vec<Strokes>,
     /// The words as they are now, and those before each act.
     now: String,
     past: Vec<String>,
+    /// The words of the leaf that was made last.
+    leaf: String,
     /// What the last act has changed: as long as it is the same, it is one act.
     acted_on: String,
     _listeners: Vec<Listener>,
@@ -44,8 +46,9 @@ const ONE_OF_SEVERAL: [&str; 4] = ["length", "width", "border", "petals.arrangem
 const WHORLS: &str = "petals.arrangement.whorls";
 const SPIRAL: &str = "petals.arrangement.spiral";
 
-/// The edges of a petal, which may mirror each other.
-const EDGES: [&str; 2] = ["petals.left_cm", "petals.right_cm"];
+/// The choice of leaves on a tree, and with what their numbers begin.
+const LEAF: &str = "leaf";
+const OF_LEAF: &str = "leaf.";
 
 impl ShapeView {
     pub fn new() -> ShapeView {
@@ -74,6 +77,25 @@ impl ShapeView {
         listeners.push(on(&within::<HtmlElement>(&dialog, ".back"), "click", |_: Event| {
             with(|studio| studio.shape.undo());
         }));
+        listeners.push(on(&within::<HtmlElement>(&dialog, ".hang"), "click", |_: Event| {
+            with(|studio| studio.shape.hang_leaf());
+        }));
+        listeners.push(on(&dialog, "keydown", |event: KeyboardEvent| {
+            // In what is typed the key is the browser's own.
+            let is_typed = |element: Element| {
+                element
+                    .matches("textarea, input:not([type=range], [type=checkbox])")
+                    .unwrap_or(false)
+            };
+            let target = event.target().map(|target| target.unchecked_into());
+            if (event.ctrl_key() || event.meta_key())
+                && event.key() == "z"
+                && !target.is_some_and(is_typed)
+            {
+                event.prevent_default();
+                with(|studio| studio.shape.undo());
+            }
+        }));
         let strokes = strokes::all(&dialog);
         ShapeView {
             dialog,
@@ -85,6 +107,7 @@ impl ShapeView {
             strokes,
             now: String::new(),
             past: Vec::new(),
+            leaf: String::new(),
             acted_on: String::new(),
             _listeners: listeners,
         }
@@ -101,6 +124,34 @@ impl ShapeView {
         }
         self.show_kind();
         (self.now, self.past) = (self.words(), Vec::new());
+        self.keep_leaf();
+        self.wish(SHAPE);
+    }
+
+    /// Keeps the words of a leaf, so that a tree may have it.
+    fn keep_leaf(&mut self) {
+        if let Some(words) = self.now.strip_prefix("leaf=") {
+            self.leaf = words.to_string();
+        }
+    }
+
+    /// Hangs the leaf that was made last on the tree. What says how large it is, which one and what grows on it is not
+    /// its form.
+    fn hang_leaf(&mut self) {
+        let is_form = |word: &&str| {
+            !word.is_empty()
+                && !["size:", "individual:", "on:"].iter().any(|other| word.starts_with(other))
+        };
+        let leaf = self.leaf.split(',').filter(is_form).map(|word| format!("{OF_LEAF}{word}"));
+        let words = self.words();
+        let words = words.split_once('=').map_or("", |(_, words)| words);
+        let tree = words.split(',').filter(|word| !word.starts_with(OF_LEAF)).map(String::from);
+        let words: Vec<String> = tree.chain(leaf).collect();
+        self.set(&words.join(","));
+        self.choice(&format!("select[data-key=\"{LEAF}\"]")).set_value(TYPED);
+        self.tell_numbers();
+        self.begin_act();
+        self.act_on(LEAF);
         self.wish(SHAPE);
     }
 
@@ -116,9 +167,10 @@ impl ShapeView {
     }
 
     /// The act on something has changed the words.
-    fn act_on(&mut self, key: &str) {
+    pub(super) fn act_on(&mut self, key: &str) {
         let words = self.words();
         let before = std::mem::replace(&mut self.now, words);
+        self.keep_leaf();
         if self.acted_on != key && before != self.now {
             self.past.push(before);
             self.acted_on = key.to_string();
@@ -137,44 +189,6 @@ impl ShapeView {
         }
     }
 
-    /// Moves a point of a stroke, and the one across it where both edges are alike.
-    pub(super) fn move_point(&mut self, key: &str, k: usize, to: impl Fn([f64; 2]) -> [f64; 2]) {
-        let field = |key: &str| field(&self.dialog, key);
-        let Some(mut points) = strokes::points(&field(key)) else { return };
-        let Some(point) = points.get_mut(k) else { return };
-        *point = to(*point).map(|cm| strokes::hundredths(cm.clamp(-100.0, 100.0)));
-        let [x, y] = *point;
-        strokes::write(&field(key), &points);
-        let is_alike = within::<HtmlInputElement>(&self.dialog, ".alike").checked();
-        let across = EDGES.iter().position(|edge| *edge == key).map(|edge| EDGES[1 - edge]);
-        if let Some(across) = across.filter(|_| is_alike)
-            && let Some(mut others) = strokes::points(&field(across))
-            && let Some(other) = others.get_mut(k)
-        {
-            *other = [-x + 0.0, y];
-            strokes::write(&field(across), &others);
-            self.exact.retain(|(other, _)| other != across);
-        }
-        self.exact.retain(|(other, _)| other != key);
-        self.act_on(key);
-        self.tell_numbers();
-        self.wish(SHAPE);
-    }
-
-    /// Draws the petals that the fields have.
-    fn show_strokes(&mut self) {
-        let field = |key: &str| field(&self.dialog, key);
-        for drawing in &mut self.strokes {
-            let stroke = |key: String| {
-                let field = field(&key);
-                let points = strokes::points(&field)?;
-                Some((key, strokes::name_of(&field), points))
-            };
-            let strokes: Vec<_> = drawing.keys().into_iter().filter_map(stroke).collect();
-            drawing.show(&strokes);
-        }
-    }
-
     /// A number has changed, or what is seen.
     fn change(&mut self, element: &Element) {
         if element.matches(".like").unwrap_or(false) {
@@ -182,7 +196,8 @@ impl ShapeView {
         } else if let Some(key) = element.get_attribute("data-key") {
             let of = |key: &str| ONE_OF_SEVERAL.iter().find(|way| key.starts_with(**way));
             let other_kind = |other: &str| of(other).is_some() && of(other) == of(&key);
-            self.exact.retain(|(other, _)| *other != key && !other_kind(other));
+            let of_leaf = |other: &str| key == LEAF && other.starts_with(LEAF);
+            self.exact.retain(|(other, _)| *other != key && !other_kind(other) && !of_leaf(other));
         } else {
             if element.matches(".kind").unwrap_or(false) {
                 self.exact.clear();
@@ -248,14 +263,16 @@ impl ShapeView {
             let value = self.exact.iter().find(|(other, _)| *other == key);
             field.set(value.map(|(_, value)| &**value));
         }
-        if self.exact.iter().any(|(key, _)| key.starts_with(SPIRAL)) {
-            self.choice(&format!("select[data-key=\"{WHORLS}\"]")).set_value(TYPED);
+        for (choice, way) in [(WHORLS, SPIRAL), (LEAF, OF_LEAF)] {
+            if self.exact.iter().any(|(key, _)| key.starts_with(way)) {
+                self.choice(&format!("select[data-key=\"{choice}\"]")).set_value(TYPED);
+            }
         }
         self.tell_numbers();
     }
 
     /// Writes each number beside its slider.
-    fn tell_numbers(&mut self) {
+    pub(super) fn tell_numbers(&mut self) {
         for label in each(&self.dialog, "label:has(output)") {
             let value = within::<HtmlInputElement>(&label, "input").value();
             set_text(&within::<Element>(&label, "output"), &value);
@@ -269,7 +286,7 @@ impl ShapeView {
     }
 
     /// Has the workshop do something with the body, now or when it has done what it is at.
-    fn wish(&mut self, wish: &'static str) {
+    pub(super) fn wish(&mut self, wish: &'static str) {
         if self.asked.is_some() {
             // A picture must not push out what was asked for in earnest.
             if wish != SHAPE || self.next.is_none() {
@@ -361,11 +378,6 @@ impl ShapeView {
     fn part(&self, selector: &str) -> Element {
         within(&self.dialog, selector)
     }
-}
-
-/// The field of a stroke.
-fn field(dialog: &Element, key: &str) -> HtmlInputElement {
-    within(dialog, &format!("[data-key=\"{key}\"]"))
 }
 
 fn now_ms() -> f64 {

@@ -2,8 +2,11 @@
 //! it is moved by mouse, finger or arrow keys.
 
 use super::field::each;
+use super::shape::ShapeView;
+use super::wish::SHAPE;
 use super::with;
-use crate::browser::dom::{Listener, on, set_attribute};
+use crate::browser::dom::{Listener, on, set_attribute, within};
+use crate::import::{in_few_points, line_meant};
 use crate::play::typed;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, Event, HtmlInputElement, KeyboardEvent, PointerEvent};
@@ -15,11 +18,15 @@ pub struct Strokes {
     frame: [f64; 4],
     /// The point in hand: its stroke and which of it.
     in_hand: Option<(String, usize)>,
+    /// A line that is being drawn anew.
+    drawn: Vec<[f64; 2]>,
     _listeners: Vec<Listener>,
 }
 
 /// Centimetres that an arrow key moves a point, and with the shift key.
 const STEP_CM: [f64; 2] = [0.1, 0.5];
+/// A line that is drawn anew is at least so long.
+const LEAST_CM: f64 = 1.0;
 /// Free around the strokes, in centimetres.
 const MARGIN_CM: f64 = 1.2;
 
@@ -28,26 +35,40 @@ impl Strokes {
     pub fn new(view: Element, which: usize) -> Strokes {
         let listeners = vec![
             on(&view, "pointerdown", move |event: PointerEvent| {
-                let Some((key, k)) = point_of(&event) else { return };
                 event.prevent_default();
                 with(|studio| {
                     studio.shape.begin_act();
                     let strokes = &mut studio.shape.strokes[which];
                     let _ = strokes.view.set_pointer_capture(event.pointer_id());
-                    strokes.in_hand = Some((key, k));
+                    strokes.in_hand = point_of(&event);
+                    if strokes.in_hand.is_none() {
+                        strokes.draw_on(&event);
+                    }
                 });
             }),
             on(&view, "pointermove", move |event: PointerEvent| {
                 with(|studio| {
-                    let strokes = &studio.shape.strokes[which];
+                    let strokes = &mut studio.shape.strokes[which];
                     if let Some((key, k)) = strokes.in_hand.clone() {
-                        let at = strokes.place([event.client_x(), event.client_y()].map(f64::from));
+                        let at = strokes.place(&event);
                         studio.shape.move_point(&key, k, |_| at);
+                    } else if !strokes.drawn.is_empty() {
+                        strokes.draw_on(&event);
                     }
                 });
             }),
             on(&view, "pointerup", move |_: PointerEvent| {
-                with(|studio| studio.shape.strokes[which].in_hand = None);
+                with(|studio| {
+                    studio.shape.strokes[which].in_hand = None;
+                    studio.shape.take_drawn(which);
+                });
+            }),
+            on(&view, "pointercancel", move |_: PointerEvent| {
+                with(|studio| {
+                    let strokes = &mut studio.shape.strokes[which];
+                    strokes.in_hand = None;
+                    strokes.lift_pen();
+                });
             }),
             on(&view, "keydown", move |event: KeyboardEvent| {
                 let way = match &*event.key() {
@@ -70,7 +91,7 @@ impl Strokes {
                 });
             }),
         ];
-        Strokes { view, frame: [0.0; 4], in_hand: None, _listeners: listeners }
+        Strokes { view, frame: [0.0; 4], in_hand: None, drawn: Vec::new(), _listeners: listeners }
     }
 
     /// Draws the strokes, each by its name in words and its points. What is seen stays while a point is in hand.
@@ -99,6 +120,7 @@ impl Strokes {
                     );
                 }
             }
+            html += "<polyline class=pen />";
             self.view.set_inner_html(&html);
         }
         let radius = (0.045 * self.frame[2]).to_string();
@@ -115,8 +137,22 @@ impl Strokes {
         }
     }
 
-    /// Where in centimetres a place on the screen is, to a hundredth.
-    fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    /// Goes on with the line that is being drawn.
+    fn draw_on(&mut self, event: &PointerEvent) {
+        self.drawn.push(self.place(event));
+        let corners: Vec<String> = self.drawn.iter().map(|[x, y]| format!("{x},{}", -y)).collect();
+        set_attribute(&within::<Element>(&self.view, ".pen"), "points", corners.join(" "));
+    }
+
+    /// The line that was drawn; it is seen no longer.
+    fn lift_pen(&mut self) -> Vec<[f64; 2]> {
+        set_attribute(&within::<Element>(&self.view, ".pen"), "points", "");
+        std::mem::take(&mut self.drawn)
+    }
+
+    /// Where in centimetres the pointer is, to a hundredth.
+    fn place(&self, event: &PointerEvent) -> [f64; 2] {
+        let [x, y] = [event.client_x(), event.client_y()].map(f64::from);
         let on_screen = self.view.get_bounding_client_rect();
         let [left, top, width, height] = self.frame;
         let [x, y] = [
@@ -133,12 +169,86 @@ impl Strokes {
     }
 }
 
-pub fn hundredths(cm: f64) -> f64 {
+/// The edges of a petal, which may mirror each other.
+const EDGES: [&str; 2] = ["petals.left_cm", "petals.right_cm"];
+
+impl ShapeView {
+    /// Moves a point of a stroke, and the one across it where both edges are alike.
+    pub(super) fn move_point(&mut self, key: &str, k: usize, to: impl Fn([f64; 2]) -> [f64; 2]) {
+        let field = |key: &str| field(&self.dialog, key);
+        let Some(mut points) = points_of(&field(key)) else { return };
+        let Some(point) = points.get_mut(k) else { return };
+        *point = to(*point).map(|cm| hundredths(cm.clamp(-100.0, 100.0)));
+        let [x, y] = *point;
+        write(&field(key), &points);
+        let is_alike = within::<HtmlInputElement>(&self.dialog, ".alike").checked();
+        let across = EDGES.iter().position(|edge| *edge == key).map(|edge| EDGES[1 - edge]);
+        if let Some(across) = across.filter(|_| is_alike)
+            && let Some(mut others) = points_of(&field(across))
+            && let Some(other) = others.get_mut(k)
+        {
+            *other = [-x + 0.0, y];
+            write(&field(across), &others);
+            self.exact.retain(|(other, _)| other != across);
+        }
+        self.exact.retain(|(other, _)| other != key);
+        self.act_on(key);
+        self.tell_numbers();
+        self.wish(SHAPE);
+    }
+
+    /// Puts a line that was drawn by hand in the place of the stroke that it is nearest to, and of the one across it where
+    /// both edges are alike.
+    fn take_drawn(&mut self, which: usize) {
+        let drawn = self.strokes[which].lift_pen();
+        let keys = self.strokes[which].keys();
+        let field = |key: &str| field(&self.dialog, key);
+        let lines = keys.iter().map(|key| points_of(&field(key))).collect::<Option<Vec<_>>>();
+        let Some(lines) = lines else { return };
+        let Some(meant) = line_meant(&drawn, &lines) else { return };
+        let Some(points) = in_few_points(&drawn, &lines[meant], LEAST_CM) else { return };
+        let points: Vec<[f64; 2]> = points.into_iter().map(|point| point.map(hundredths)).collect();
+        let key = &keys[meant];
+        write(&field(key), &points);
+        let is_alike = within::<HtmlInputElement>(&self.dialog, ".alike").checked();
+        let across = EDGES.iter().position(|edge| edge == key).map(|edge| EDGES[1 - edge]);
+        if let Some(across) = across.filter(|_| is_alike) {
+            let mirrored: Vec<[f64; 2]> = points.iter().map(|[x, y]| [-x + 0.0, *y]).collect();
+            write(&field(across), &mirrored);
+            self.exact.retain(|(other, _)| other != across);
+        }
+        self.exact.retain(|(other, _)| other != key);
+        self.act_on(key);
+        self.tell_numbers();
+        self.wish(SHAPE);
+    }
+
+    /// Draws the petals that the fields have.
+    pub(super) fn show_strokes(&mut self) {
+        let field = |key: &str| field(&self.dialog, key);
+        for drawing in &mut self.strokes {
+            let stroke = |key: String| {
+                let field = field(&key);
+                let points = points_of(&field)?;
+                Some((key, name_of(&field), points))
+            };
+            let strokes: Vec<_> = drawing.keys().into_iter().filter_map(stroke).collect();
+            drawing.show(&strokes);
+        }
+    }
+}
+
+/// The field of a stroke.
+fn field(dialog: &Element, key: &str) -> HtmlInputElement {
+    within(dialog, &format!("[data-key=\"{key}\"]"))
+}
+
+fn hundredths(cm: f64) -> f64 {
     (100.0 * cm).round() / 100.0 + 0.0
 }
 
 /// The points of a field, or none where they are no points.
-pub fn points(field: &HtmlInputElement) -> Option<Vec<[f64; 2]>> {
+fn points_of(field: &HtmlInputElement) -> Option<Vec<[f64; 2]>> {
     let value = field.value();
     let point = |point: &str| {
         let (x, y) = point.split_once('_')?;
@@ -149,7 +259,7 @@ pub fn points(field: &HtmlInputElement) -> Option<Vec<[f64; 2]>> {
 }
 
 /// Writes points into a field.
-pub fn write(field: &HtmlInputElement, points: &[[f64; 2]]) {
+fn write(field: &HtmlInputElement, points: &[[f64; 2]]) {
     let words: Vec<String> = points.iter().map(|[x, y]| format!("{x}_{y}")).collect();
     field.set_value(&words.join(";"));
 }
@@ -168,7 +278,7 @@ pub fn all(dialog: &Element) -> Vec<Strokes> {
 }
 
 /// What a field is called.
-pub fn name_of(field: &HtmlInputElement) -> String {
+fn name_of(field: &HtmlInputElement) -> String {
     let label = field.closest("label").ok().flatten();
     let text = label.and_then(|label| label.text_content()).unwrap_or_default();
     text.trim().to_string()

@@ -4,9 +4,9 @@
 use super::blade::pot;
 use super::sketch::Sketch;
 use crate::shapes::branching::{
-    Law, Limb, Matrix, Ramification, Tree, TreeNumbers, Width, bark, skeleton,
+    Law, Limb, Matrix, Ramification, Tree, TreeNumbers, Width, skeleton, wood,
 };
-use crate::shapes::flower::cut::pierces;
+use crate::shapes::crossing::pierces;
 use crate::surface::PolygonMesh;
 use glam::{DVec3, Quat, Vec2, Vec3};
 
@@ -64,20 +64,20 @@ pub fn grow() -> PolygonMesh {
         sketch.group(part, "blade");
         blades.iter().filter(|blade| blade.is_near() == is_near).for_each(|b| b.lay(&mut sketch));
     }
-    wood(&mut sketch, &bark(&tree, &numbers));
+    // In the place of twigs stand leaves.
+    lay(&mut sketch, &wood(&tree, &numbers, &|node| tree.nodes[node].order == 1));
     pot(&mut sketch, POT_CM, 8.0);
     sketch.mesh
 }
 
-/// The branches of all orders but the first: those are the leaves.
-fn wood(sketch: &mut Sketch, bark: &PolygonMesh) {
+/// Lays wood where the trunk leaves the soil; corners are numbered as its faces come to them.
+fn lay(sketch: &mut Sketch, wood: &PolygonMesh) {
     sketch.group("wood", "bare:bark");
-    let is_wood = |group: u32| bark.groups[group as usize].part != "order 1";
-    let mut numbers = vec![None; bark.positions.len()];
-    for face in bark.faces.iter().filter(|face| is_wood(face.group)) {
+    let mut numbers = vec![None; wood.positions.len()];
+    for face in &wood.faces {
         let vertices = face.vertices.iter().map(|&v| {
             *numbers[v as usize]
-                .get_or_insert_with(|| sketch.vertex(bark.positions[v as usize] + FOOT))
+                .get_or_insert_with(|| sketch.vertex(wood.positions[v as usize] + FOOT))
         });
         let vertices: Vec<u32> = vertices.collect();
         sketch.face(&vertices);

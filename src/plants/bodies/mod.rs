@@ -26,7 +26,8 @@ mod watermelon;
 mod winter_squash;
 
 use crate::shapes::branching::{Census, Tree};
-use crate::shapes::flower::cut::{cut_share, pierces};
+use crate::shapes::crossing::pierces;
+use crate::shapes::flower::cut::cut_share;
 use crate::surface::{Mesh, PolygonMesh};
 use glam::Vec3;
 use std::collections::BTreeSet;

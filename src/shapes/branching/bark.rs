@@ -14,6 +14,24 @@ const TWIGS: u32 = 2;
 /// The branches of a tree as tapered tubes, in groups by their orders, the highest first. A branch goes
 /// through all nodes of its order, one after the other; its foot lies in the branch that it leaves.
 pub fn bark(tree: &Tree, numbers: &TreeNumbers) -> PolygonMesh {
+    tubes(tree, numbers, "bark", &|_| false)
+}
+
+/// The same without the twigs of some nodes, and bare.
+pub fn wood(
+    tree: &Tree,
+    numbers: &TreeNumbers,
+    is_left_out: &dyn Fn(usize) -> bool,
+) -> PolygonMesh {
+    tubes(tree, numbers, "bare:bark", is_left_out)
+}
+
+fn tubes(
+    tree: &Tree,
+    numbers: &TreeNumbers,
+    material: &str,
+    is_left_out: &dyn Fn(usize) -> bool,
+) -> PolygonMesh {
     let limbs = skeleton(tree, numbers);
     let mut starts = vec![0];
     for node in &tree.nodes {
@@ -23,10 +41,11 @@ pub fn bark(tree: &Tree, numbers: &TreeNumbers) -> PolygonMesh {
         }
         starts.push(second);
     }
+    starts.retain(|&start| !is_left_out(start as usize));
     let mut mesh = PolygonMesh::default();
     for order in (1..=tree.nodes[0].order).rev() {
         let part = format!("order {order}");
-        mesh.groups.push(Group { part, material: "bark".into() });
+        mesh.groups.push(Group { part, material: material.into() });
         let twig_sides = (numbers.sides * 2).div_ceil(3).max(3);
         let sides = if order > TWIGS { numbers.sides } else { twig_sides };
         for &start in starts.iter().filter(|&&node| tree.nodes[node as usize].order == order) {

@@ -4,6 +4,7 @@
 
 mod bark;
 mod census;
+mod foliage;
 mod named;
 mod numbers;
 mod ramification;
@@ -12,10 +13,24 @@ mod skeleton;
 mod tests;
 mod tree;
 
-pub use bark::bark;
+pub use bark::{bark, wood};
 pub use census::Census;
 pub use named::NAMES;
 pub use numbers::{Law, Matrix, TreeNumbers, Width};
 pub use ramification::Ramification;
 pub use skeleton::{Limb, skeleton};
 pub use tree::{Node, Tree};
+
+use super::ShapeError;
+use crate::surface::PolygonMesh;
+
+/// A tree as its numbers say: bare, of bark that carries cells, or with leaves that do.
+///
+/// # Errors
+/// Numbers of a leaf that are out of their ranges.
+pub fn body(tree: &Tree, numbers: &TreeNumbers) -> Result<PolygonMesh, ShapeError> {
+    match &numbers.leaf {
+        Some(leaf) => foliage::leafy(tree, numbers, leaf),
+        None => Ok(bark(tree, numbers)),
+    }
+}

@@ -2,7 +2,9 @@
 
 use super::Ramification;
 use crate::shapes::ShapeError;
-use crate::shapes::wrong::{read, within};
+use crate::shapes::leaf::LeafNumbers;
+use crate::shapes::read::read;
+use crate::shapes::wrong::within;
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 
@@ -37,6 +39,17 @@ pub struct TreeNumbers {
     pub rise: f64,
     /// Corners around the thicker branches; 3 to 16. Those of orders 1 and 2 have two thirds of them.
     pub sides: u32,
+    /// What ends bear in the place of their twigs, if they bear leaves; its triangles, underside and fine veins are
+    /// left out.
+    pub leaf: Option<LeafNumbers>,
+    /// How many times as large as its numbers a leaf is; 0.05 to 10.
+    pub leaf_size: f64,
+    /// The share of the ends that bear one; 0 to 1.
+    pub leaf_ends: f64,
+    /// The share of the leaves, those farthest behind, that are spots of four corners; 0 to 1.
+    pub leaf_spots: f64,
+    /// How much leaves hang; under 0 they rise; -1 to 2.
+    pub leaf_hang: f64,
 }
 
 /// A matrix by its name or by its rows.
@@ -88,6 +101,11 @@ impl Default for TreeNumbers {
             width: Width::Murray { tip_cm: 0.15, exponent: 2.2 },
             rise: 0.05,
             sides: 8,
+            leaf: None,
+            leaf_size: 0.5,
+            leaf_ends: 1.0,
+            leaf_spots: 0.5,
+            leaf_hang: 0.4,
         }
     }
 }
@@ -116,6 +134,13 @@ impl TreeNumbers {
         within("length_spread", self.length_spread, &(0.0..=0.9))?;
         within("rise", self.rise, &(-0.5..=0.5))?;
         within("sides", f64::from(self.sides), &(3.0..=16.0))?;
+        within("leaf_size", self.leaf_size, &(0.05..=10.0))?;
+        within("leaf_ends", self.leaf_ends, &(0.0..=1.0))?;
+        within("leaf_spots", self.leaf_spots, &(0.0..=1.0))?;
+        within("leaf_hang", self.leaf_hang, &(-1.0..=2.0))?;
+        if let Some(leaf) = &self.leaf {
+            leaf.check().map_err(|ShapeError(why)| ShapeError(format!("leaf.{why}")))?;
+        }
         self.length.check("length")?;
         match self.width {
             Width::ByOrder(law) => law.check("width.by_order"),
@@ -209,8 +234,8 @@ mod tests {
     fn wrong_numbers_are_named() {
         for (text, words) in [
             ("{\"order\": 0}", "order is 0: it must be from 1 to 12"),
-            ("{\"order\": 2.5}", "invalid type"),
-            ("{\"forks_deg\": 2}", "unknown field `forks_deg`"),
+            ("{\"order\": 2.5}", "order is 2.5: it must be a whole number"),
+            ("{\"forks_deg\": 2}", "no number \"forks_deg\": the nearest one is \"fork_deg\""),
             ("{\"fork_deg\": 91}", "fork_deg is 91: it must be from 0 to 90"),
             ("{\"rise\": -0.6}", "rise is -0.6"),
             ("{\"sides\": 2}", "sides is 2"),
@@ -222,15 +247,21 @@ mod tests {
                 "{\"length\": {\"power\": {\"first_cm\": 1, \"exponent\": 9}}}",
                 "length.power.exponent",
             ),
-            ("{\"length\": {\"cubic\": {\"first_cm\": 1}}}", "unknown variant `cubic`"),
-            ("{\"width\": {\"murray\": {\"tip_cm\": 1}}}", "missing field `exponent`"),
+            (
+                "{\"length\": {\"cubic\": {\"first_cm\": 1}}}",
+                "length is \"cubic\": it must be one of linear",
+            ),
+            ("{\"width\": {\"murray\": {\"tip_cm\": 1}}}", "width.murray.exponent is missing"),
             (
                 "{\"width\": {\"murray\": {\"tip_cm\": 1, \"exponent\": 0}}}",
                 "width.murray.exponent",
             ),
+            ("{\"leaf\": {\"lobes\": 4}}", "leaf.lobes is 4: it must be an odd number"),
+            ("{\"leaf\": {\"lobe\": 3}}", "the nearest one is \"leaf.lobes\""),
+            ("{\"leaf_ends\": 2}", "leaf_ends is 2: it must be from 0 to 1"),
             ("{\"matrix\": 3}", "matrix must be a name or a list of rows"),
-            ("{\"fork_deg\": 1e999}", "number out of range"),
-            ("7", "invalid type"),
+            ("{\"fork_deg\": 1e999}", "it is no JSON"),
+            ("7", "the whole is 7: it must be numbers with names"),
         ] {
             let wrong = TreeNumbers::from_json(text).unwrap_err().to_string();
             assert!(wrong.contains(words) && wrong.lines().count() == 1, "{text}: {wrong}");

@@ -1,7 +1,7 @@
 //! The ramification matrix: for a node of each order the chances of how it branches.
 
 use crate::shapes::ShapeError;
-use crate::shapes::wrong::read;
+use crate::shapes::read::read;
 
 /// How far the chances of a row may miss the sum 1 and be scaled to it: as far as three that were
 /// rounded to three digits after the point.
@@ -119,9 +119,9 @@ mod tests {
             ("[[1.5, -0.5]]", "the chance 1.5"),
             ("[[0.5, 0.4]]", "order 2 sums to 0.9"),
             ("[[0.1, 0.9], [0.3, 0.7, 0]]", "order 3 ends with the chance of a fork 0"),
-            ("{\"rows\": 3}", "expected a sequence"),
-            ("[[0.5, \"x\"]]", "expected f64"),
-            ("[[0.5", "EOF"),
+            ("{\"rows\": 3}", "it must be a list of numbers"),
+            ("[[0.5, \"x\"]]", "0.1 is \"x\": it must be a number"),
+            ("[[0.5", "it is no JSON"),
         ] {
             let wrong = Ramification::from_json(rows).unwrap_err().to_string();
             assert!(wrong.contains(words) && wrong.lines().count() == 1, "{rows}: {wrong}");

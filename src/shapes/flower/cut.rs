@@ -1,5 +1,6 @@
 //! How far petals pass through each other, for tests.
 
+use crate::shapes::crossing::crosses;
 use glam::Vec3;
 
 /// The share of the area of all triangles that lies in those which a triangle of another petal crosses; each comes with the number
@@ -24,18 +25,4 @@ pub fn cut_share(mut triangles: Vec<([Vec3; 3], u32)>) -> f64 {
     let all: f64 = triangles.iter().map(|t| area(&t.0)).sum();
     let cut = triangles.iter().zip(&is_cut).filter(|(_, cut)| **cut).map(|(t, _)| area(&t.0));
     cut.sum::<f64>() / all
-}
-
-/// Whether a side of one triangle goes through the other.
-fn crosses(one: &[Vec3; 3], other: &[Vec3; 3]) -> bool {
-    let sides = [[one[0], one[1]], [one[1], one[2]], [one[2], one[0]]];
-    sides.into_iter().any(|[p, q]| pierces(p, q, *other))
-}
-
-/// Whether the straight line from `p` to `q` goes through a triangle.
-pub fn pierces(p: Vec3, q: Vec3, [a, b, c]: [Vec3; 3]) -> bool {
-    let volume = |a: Vec3, b: Vec3, c: Vec3, d: Vec3| (b - a).cross(c - a).dot(d - a);
-    let sides = [volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)];
-    let through = sides.iter().all(|&v| v > 0.0) || sides.iter().all(|&v| v < 0.0);
-    through && volume(a, b, c, p) * volume(a, b, c, q) < 0.0
 }

@@ -1,8 +1,9 @@
 //! The numbers of a flower, as they stand in a file.
 
-use super::{Arrangement, PetalNumbers, ReceptacleNumbers, RodNumbers, StamenNumbers};
+use super::{Arrangement, PetalNumbers, ReceptacleNumbers, RodNumbers, Sepals, StamenNumbers};
 use crate::shapes::ShapeError;
-use crate::shapes::wrong::{read, within};
+use crate::shapes::read::read;
+use crate::shapes::wrong::within;
 use serde::{Deserialize, Serialize};
 
 /// A flower in numbers. What is left out of a file is as in `FlowerNumbers::default`; parts that are `null` are
@@ -13,7 +14,7 @@ pub struct FlowerNumbers {
     /// The showy ones, which carry cells; in a lily all six tepals.
     pub petals: PetalNumbers,
     /// Green and bare, around the petals.
-    pub sepals: Option<PetalNumbers>,
+    pub sepals: Option<Sepals>,
     pub stamens: Option<StamenNumbers>,
     pub pistil: Option<RodNumbers>,
     /// An inverted cone with carpels in its flat top, as that of a lotus.
@@ -58,8 +59,9 @@ impl FlowerNumbers {
     /// # Errors
     /// A text that is none, a name that is unknown, and what `check` refuses.
     pub fn from_json(text: &str) -> Result<FlowerNumbers, ShapeError> {
-        let numbers: FlowerNumbers = read(text)?;
+        let mut numbers: FlowerNumbers = read(text)?;
         numbers.check()?;
+        numbers.sepals = numbers.sepals.filter(|sepals| sepals.count() > 0);
         Ok(numbers)
     }
 
@@ -76,7 +78,7 @@ impl FlowerNumbers {
             within(name, value, &range)?;
         }
         self.petals.check("petals")?;
-        self.sepals.as_ref().map_or(Ok(()), |sepals| sepals.check("sepals"))?;
+        self.sepals.as_ref().map_or(Ok(()), Sepals::check)?;
         self.stamens.as_ref().map_or(Ok(()), StamenNumbers::check)?;
         self.pistil.as_ref().map_or(Ok(()), |pistil| pistil.check("pistil"))?;
         self.receptacle.as_ref().map_or(Ok(()), ReceptacleNumbers::check)
@@ -112,35 +114,43 @@ impl Arrangement {
 
 #[cfg(test)]
 mod tests {
+    use super::super::SepalNumbers;
     use super::*;
 
     #[test]
     fn numbers_are_read_back_as_they_were_written() {
         let lily = FlowerNumbers::default();
         let mut lotus = FlowerNumbers {
-            sepals: Some(PetalNumbers::default()),
+            sepals: Some(Sepals::Drawn(PetalNumbers::default().into())),
             stamens: None,
             pistil: None,
             receptacle: Some(ReceptacleNumbers::default()),
             ..lily.clone()
         };
         lotus.petals.arrangement = Arrangement::Spiral { count: 17, divergence_deg: 137.5 };
-        for numbers in [lily, lotus] {
+        let around = SepalNumbers { count: 3, ..SepalNumbers::default() };
+        let wild = FlowerNumbers { sepals: Some(Sepals::Around(around)), ..lily.clone() };
+        for numbers in [lily, lotus, wild] {
             let text = serde_json::to_string(&numbers).unwrap();
             assert_eq!(FlowerNumbers::from_json(&text).unwrap(), numbers, "{text}");
         }
-        assert_eq!(FlowerNumbers::from_json("{}").unwrap(), FlowerNumbers::default());
+        for none in ["{}", r#"{"sepals": {}}"#, r#"{"sepals": {"count": 0, "length": 0.7}}"#] {
+            assert_eq!(FlowerNumbers::from_json(none).unwrap(), FlowerNumbers::default());
+        }
     }
 
     #[test]
     fn wrong_numbers_are_named() {
         for (text, words) in [
-            ("{\"tepals\": 6}", "unknown field `tepals`"),
+            ("{\"tepals\": 6}", "there is no number \"tepals\": the nearest one is \"sepals\""),
             ("{\"nod_deg\": 190}", "nod_deg is 190: it must be from 0 to 180"),
             ("{\"growth\": 12}", "growth is 12"),
             ("{\"open_day\": 0}", "open_day is 0"),
             ("{\"petals\": {\"bud_deg\": 0}}", "petals.bud_deg is 0: it must be from 1 to 175"),
             ("{\"sepals\": {\"rows\": 1}}", "sepals.rows is 1: it must be from 2 to 200"),
+            ("{\"sepals\": {\"count\": 13}}", "sepals.count is 13: it must be from 0 to 12"),
+            ("{\"sepals\": {\"lengt\": 1}}", "the nearest one is \"sepals.length\""),
+            ("{\"sepals\": 3}", "sepals is 3: it must be numbers with names"),
             ("{\"petals\": {\"vein_cm\": [[0, 0]]}}", "petals.vein_cm has 1 points"),
             ("{\"petals\": {\"vein_cm\": [[0, 0], [3, 0]]}}", "0.1 cm above the foot"),
             ("{\"petals\": {\"bud_cm\": [[1, 1], [1, 1]]}}", "petals.bud_cm goes nowhere"),
@@ -149,13 +159,16 @@ mod tests {
                 "{\"petals\": {\"left_cm\": [[1, 1], [400, 3]]}}",
                 "a number in petals.left_cm is 400",
             ),
-            ("{\"petals\": {\"left_cm\": [[1, 1, 2], [4, 3]]}}", "trailing characters"),
+            (
+                "{\"petals\": {\"left_cm\": [[1, 1, 2], [4, 3]]}}",
+                "petals.left_cm.0 has 3 numbers: it must have 2",
+            ),
             ("{\"petals\": {\"arrangement\": {\"whorls\": []}}}", "petals has 0 of them"),
             ("{\"petals\": {\"arrangement\": {\"whorls\": [3, 0]}}}", "whorls is 0"),
             ("{\"petals\": {\"arrangement\": {\"whorls\": [40, 40]}}}", "petals has 80 of them"),
             (
                 "{\"petals\": {\"arrangement\": {\"spiral\": {\"count\": 8}}}}",
-                "missing field `divergence_deg`",
+                "petals.arrangement.spiral.divergence_deg is missing",
             ),
             (
                 "{\"petals\": {\"arrangement\": {\"spiral\": {\"count\": 8, \"divergence_deg\": 0}}}}",

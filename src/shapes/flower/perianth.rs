@@ -4,6 +4,7 @@ use super::growth::Growth;
 use super::layout::Layout;
 use super::opening::Opening;
 use super::petal::{Arrangement, PetalNumbers};
+use super::sepals::SepalNumbers;
 use super::solve::Cholesky;
 use super::template::{ROWS, Seat, Template};
 use crate::shapes::chance::{Purpose, either_way, part_key};
@@ -17,6 +18,8 @@ pub struct Perianth {
     pub foot_cm: f64,
     inner_lag: f64,
     tip_lag: f64,
+    /// How much earlier all of them are open.
+    lead: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -79,6 +82,45 @@ impl Perianth {
             foot_cm: numbers.bud_cm[0][0],
             inner_lag: numbers.inner_lag,
             tip_lag: numbers.tip_lag,
+            lead: 0.0,
+        }
+    }
+
+    /// Sepals around petals; they are open at once from foot to tip.
+    pub fn around(
+        sepals: &SepalNumbers,
+        petals: &PetalNumbers,
+        irregularity: f64,
+        key: u64,
+    ) -> Perianth {
+        let template = Template::new(petals).around(sepals);
+        let step_deg = 360.0 / f64::from(sepals.count);
+        let rows = (f64::from(petals.rows) * sepals.length).ceil() as u32 + 1;
+        let sepal = |number: u32| {
+            let key = part_key(key, number);
+            let chance = |purpose| irregularity * either_way(key, purpose);
+            let azimuth_deg = petals.first_deg + step_deg * (f64::from(number) + 0.5);
+            let out_deg = petals.outer_turn_deg + sepals.open_deg;
+            let seat = Seat {
+                azimuth: azimuth_deg.to_radians(),
+                rank: -1.0,
+                width: 1.0,
+                length: 1.0 + chance(Purpose::Length),
+                turn: chance(Purpose::Angle) - out_deg.to_radians(),
+            };
+            let slender = |along| template.slenderness(along) / sepals.length;
+            Petal {
+                layout: Layout::new(rows, petals.columns, slender),
+                opening: Opening::new(template.in_bud(&seat), template.opened(&seat)),
+                seat,
+            }
+        };
+        Perianth {
+            petals: (0..sepals.count).map(sepal).collect(),
+            foot_cm: petals.bud_cm[0][0],
+            inner_lag: 0.0,
+            tip_lag: 0.0,
+            lead: sepals.lead,
         }
     }
 
@@ -89,6 +131,7 @@ impl Perianth {
         growth: &'a Growth,
         time: f64,
     ) -> impl Iterator<Item = Vec<DVec3>> + 'a {
+        let time = (time / (1.0 - self.lead)).min(1.0);
         let late = |time: f64, lag: f64, share: f64| (time - lag * share) / (1.0 - lag);
         self.petals.iter().map(move |petal| {
             let time = late(time, self.inner_lag, petal.seat.rank);

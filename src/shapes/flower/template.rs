@@ -2,17 +2,21 @@
 
 use super::bspline::{Stroke, control_points, through};
 use super::petal::{CrossStroke, PetalNumbers};
+use super::sepals::SepalNumbers;
 use glam::{DVec2, DVec3};
 
 /// Control points of a sheet across and along.
 pub const COLUMNS: usize = 5;
 pub const ROWS: usize = 9;
 
+/// How much farther out than the petals sepals lie in the bud, as a share.
+const APART: f64 = 0.04;
+
 /// How a petal differs from the others of its flower.
 #[derive(Clone, Copy, Debug)]
 pub struct Seat {
     pub azimuth: f64,
-    /// 0 outermost to 1 innermost.
+    /// 0 outermost to 1 innermost; sepals, which are farther out, -1.
     pub rank: f64,
     pub width: f64,
     pub length: f64,
@@ -32,6 +36,8 @@ pub struct Template {
     throat: f64,
     lean: f64,
     nest: f64,
+    /// Whether it is as narrow in the bud as it is flat, or reaches as far round it all along.
+    is_pointed: bool,
 }
 
 /// From -1 at the left rim to 1 at the right.
@@ -63,6 +69,31 @@ impl Template {
             throat: numbers.throat,
             lean: numbers.lean,
             nest: numbers.nest,
+            is_pointed: false,
+        }
+    }
+
+    /// Sepals around the petals of a template: their vein goes along that of the petals, outside it.
+    pub fn around(&self, sepals: &SepalNumbers) -> Template {
+        let room = std::f64::consts::PI / f64::from(sepals.count);
+        let apart = APART + self.lean.abs();
+        let widest = (0..=ROWS)
+            .map(|row| row as f64 / ROWS as f64 * sepals.length * self.bud.length_cm())
+            .map(|way| self.bud.at(way).0.x * (1.0 + apart))
+            .fold(0.0, f64::max);
+        let half = sepals.width * room * widest;
+        let points = (0..ROWS * COLUMNS).map(|k| {
+            let along = (k / COLUMNS) as f64 / (ROWS - 1) as f64;
+            let x = across(k % COLUMNS) * half * SepalNumbers::form(along);
+            DVec3::new(x, along * sepals.length * self.length_cm, 0.0)
+        });
+        Template {
+            flat: points.collect(),
+            bud_rad: 0.98 * room,
+            lean: 0.0,
+            nest: apart,
+            is_pointed: true,
+            ..self.clone()
         }
     }
 
@@ -84,7 +115,12 @@ impl Template {
     pub fn in_bud(&self, seat: &Seat) -> Vec<DVec3> {
         self.placed(|x, p| {
             let vein = self.bud.at(p.y / self.length_cm * self.bud.length_cm()).0;
-            round(seat.azimuth + x * self.bud_rad, vein * self.size(seat, x))
+            let vein = vein * self.size(seat, x);
+            let angle = match self.is_pointed {
+                true => (p.x / vein.x.max(1e-3)).clamp(-self.bud_rad, self.bud_rad),
+                false => x * self.bud_rad,
+            };
+            round(seat.azimuth + angle, vein)
         })
     }
 

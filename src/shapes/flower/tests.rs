@@ -5,7 +5,7 @@ use super::cut::cut_share;
 use super::opening::{Opening, joints};
 use super::solve::Cholesky;
 use super::template::{COLUMNS, ROWS, Template, round};
-use super::{Arrangement, Flower, FlowerNumbers, Growth, PetalNumbers};
+use super::{Arrangement, Flower, FlowerNumbers, Growth, PetalNumbers, SepalNumbers, Sepals};
 use crate::surface::Body;
 use glam::{DAffine2, DQuat, DVec2, DVec3, Vec3};
 
@@ -297,12 +297,46 @@ fn another_individual_is_another_flower_of_the_same_kind() {
 #[test]
 fn petals_do_not_pass_through_each_other() {
     for (text, individual) in [("{}", 1), ("{}", 2), (LOTUS, 1), (LOTUS, 2), (TIGER_LILY, 1)] {
-        let flower = Flower::new(&FlowerNumbers::from_json(text).unwrap(), individual).unwrap();
-        for moment in 0..=20 {
-            let cut = cut_at(&flower, f64::from(moment) / 20.0);
-            assert!(cut < 0.005, "{cut} of the petals at moment {moment}, {text}");
+        let mut numbers = FlowerNumbers::from_json(text).unwrap();
+        for count in [0, 3, 5] {
+            numbers.sepals =
+                Some(Sepals::Around(SepalNumbers { count, ..SepalNumbers::default() }));
+            let flower = Flower::new(&numbers, individual).unwrap();
+            let cuts = (0..=20).map(|moment| cut_at(&flower, f64::from(moment) / 20.0));
+            let most = cuts.fold(0.0, f64::max);
+            println!("{most:.5} of {count} sepals and the petals of {}", numbers.open_day);
+            assert!(most < 0.005, "{most} is cut with {count} sepals, {text}");
         }
     }
+}
+
+#[test]
+fn sepals_close_around_the_bud_and_open_before_the_petals() {
+    let numbers =
+        FlowerNumbers::from_json(r#"{"sepals": {"count": 3, "length": 0.5}, "nod_deg": 0}"#)
+            .unwrap();
+    let flower = Flower::new(&numbers, 1).unwrap();
+    let (joints, growth) = (joints(), Growth::share(6.0));
+    let sepals = flower.sepals.as_ref().unwrap();
+    let out = |sheets: Vec<Vec<DVec3>>, row: usize| {
+        let veins = sheets.iter().map(|sheet| sheet[row * COLUMNS + 2]);
+        veins.map(|p| p.x.hypot(p.z)).fold(0.0, f64::max)
+    };
+    // In the bud their middles lie close outside the petals, half-way up.
+    let bud = out(sepals.sheets(&joints, &growth, 0.0).collect(), ROWS - 1);
+    let petals = out(flower.petals.sheets(&joints, &growth, 0.0).collect(), ROWS / 2);
+    assert!(bud > petals && bud < 1.15 * petals, "{bud} around {petals}");
+    // They are open when a fifth of the time is left.
+    let last: Vec<_> = sepals.sheets(&joints, &growth, 0.8).collect();
+    let open: Vec<_> = sepals.petals.iter().map(|sepal| sepal.opening.open.clone()).collect();
+    assert_eq!(last, open);
+    // All else is as without them.
+    let bare = Flower::new(&FlowerNumbers { sepals: None, ..numbers }, 1).unwrap();
+    let (with, without) = (flower.mesh(), bare.mesh());
+    let petals = bare.petals.petals.iter().map(|petal| petal.layout.corners.len()).sum::<usize>();
+    assert_eq!(with.positions[..petals], without.positions[..petals]);
+    let is_sepal = |group: &crate::surface::Group| group.material == "bare:sepal";
+    assert_eq!(with.groups.iter().filter(|group| is_sepal(group)).count(), 3);
 }
 
 #[test]
@@ -320,7 +354,9 @@ fn cut_at(flower: &Flower, time: f64) -> f64 {
     const ACROSS: usize = 12;
     const ALONG: usize = 24;
     let mut triangles: Vec<([Vec3; 3], u32)> = Vec::new();
-    let sheets = flower.petals.sheets(&joints(), &Growth::share(6.0), time).collect::<Vec<_>>();
+    let (joints, growth) = (joints(), Growth::share(6.0));
+    let perianths = [Some(&flower.petals), flower.sepals.as_ref()].into_iter().flatten();
+    let sheets = perianths.flat_map(|all| all.sheets(&joints, &growth, time)).collect::<Vec<_>>();
     for (petal, sheet) in (0..).zip(&sheets) {
         let at = |column: usize, row: usize| {
             let across = Weights::at(COLUMNS, column as f64 / ACROSS as f64);

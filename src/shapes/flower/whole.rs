@@ -6,6 +6,7 @@ use super::opening::joints;
 use super::perianth::Perianth;
 use super::receptacle;
 use super::rod::Rod;
+use super::sepals::Sepals;
 use super::solve::Cholesky;
 use super::stamens::Stamens;
 use crate::shapes::ShapeError;
@@ -38,10 +39,14 @@ impl Flower {
         numbers.check()?;
         let key = |kind| part_key(root_key(individual), kind);
         let irregularity = numbers.irregularity;
+        let sepals = numbers.sepals.as_ref().filter(|sepals| sepals.count() > 0);
         let perianth = |numbers, kind| Perianth::new(numbers, irregularity, key(kind));
         Ok(Flower {
             petals: perianth(&numbers.petals, 0),
-            sepals: numbers.sepals.as_ref().map(|sepals| perianth(sepals, 1)),
+            sepals: sepals.map(|sepals| match sepals {
+                Sepals::Around(few) => Perianth::around(few, &numbers.petals, irregularity, key(1)),
+                Sepals::Drawn(drawn) => perianth(drawn.as_ref(), 1),
+            }),
             stamens: numbers.stamens.as_ref().map(|s| Stamens::new(s, irregularity, key(2))),
             style: numbers.pistil.as_ref().map(|pistil| Rod::new(pistil, 0.0, 1.0)),
             numbers: numbers.clone(),

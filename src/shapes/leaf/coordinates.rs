@@ -1,7 +1,7 @@
 //! Coordinates that belong to the leaf (Viennot et al. 1989, section 6: how leaves are coloured).
 
 use super::{LeafPlan, Lobe};
-use glam::DVec2;
+use glam::{DVec2, Vec2};
 
 /// Where a point lies in its leaf.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +40,16 @@ impl LeafPlan {
             affinity: self.lobes[k].affinity(local),
             homothety: ratio.min(1.0),
         }
+    }
+
+    /// Texture coordinates of a place: `x` the affinity ratio, under 0 on the left of the leaf, `y` the homothety ratio.
+    /// The lobe in the middle has a left and a right half, every other lobe lies on one side of the leaf.
+    pub(super) fn uv(&self, at: &LeafPoint) -> Vec2 {
+        let place = self.lobes[at.lobe as usize].place;
+        let is_right = if place == 0 { at.right } else { place > 0 };
+        let x = if is_right { at.affinity } else { -at.affinity };
+        let short = |share: f64| (share * 1e5).round() / 1e5 + 0.0;
+        DVec2::new(short(x), short(at.homothety)).as_vec2()
     }
 
     /// Of a point that rounding or a round tooth has put beside all lobes: on the rim of the nearest one.

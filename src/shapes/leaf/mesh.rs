@@ -62,7 +62,7 @@ impl Leaf {
         let mut mesh = PolygonMesh::default();
         let places: Vec<DVec3> = self.points.iter().map(|&p| blade.place(p)).collect();
         mesh.positions = places.iter().map(|&p| point(p)).collect();
-        mesh.uvs = self.coordinates.iter().map(|at| self.uv(at)).collect();
+        mesh.uvs = self.coordinates.iter().map(|at| self.plan.uv(at)).collect();
         start(&mut mesh, "blade", "blade");
         for t in &self.triangles {
             mesh.faces.push(Face { vertices: t.to_vec(), group: 0 });
@@ -99,15 +99,6 @@ impl Leaf {
             mesh.lines
                 .push(Line { vertices: (first..mesh.positions.len() as u32).collect(), order });
         }
-    }
-
-    /// The lobe in the middle has a left and a right half, every other lobe lies on one side of the leaf.
-    fn uv(&self, at: &LeafPoint) -> Vec2 {
-        let place = self.plan.lobes[at.lobe as usize].place;
-        let is_right = if place == 0 { at.right } else { place > 0 };
-        let x = if is_right { at.affinity } else { -at.affinity };
-        let short = |share: f64| (share * 1e5).round() / 1e5 + 0.0;
-        DVec2::new(short(x), short(at.homothety)).as_vec2()
     }
 
     /// A second sheet under the first, joined to it at the rim.

@@ -5,6 +5,7 @@
 mod blade;
 mod border;
 mod coordinates;
+mod flat;
 mod limb;
 mod mesh;
 mod numbers;
@@ -15,6 +16,7 @@ mod triangles;
 
 pub use blade::Blade;
 pub use coordinates::LeafPoint;
+pub use flat::FlatLeaf;
 pub use limb::Limb;
 pub use mesh::Leaf;
 pub use numbers::{Border, LeafNumbers, Length};

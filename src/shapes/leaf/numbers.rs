@@ -1,8 +1,9 @@
 //! The numbers of a leaf, as they stand in a file.
 
 use crate::shapes::ShapeError;
+use crate::shapes::read::read;
 use crate::shapes::veins::VeinNumbers;
-use crate::shapes::wrong::{read, within};
+use crate::shapes::wrong::within;
 use serde::{Deserialize, Serialize};
 
 /// A leaf in numbers. What is left out of a file is as in `LeafNumbers::default`.
@@ -240,12 +241,12 @@ mod tests {
         for (text, words) in [
             ("{\"lobes\": 4}", "lobes is 4: it must be an odd number"),
             ("{\"lobes\": 17}", "from 1 to 15"),
-            ("{\"lobes\": -1}", "invalid value"),
+            ("{\"lobes\": -1}", "lobes is -1: it must be a whole number from 0 on"),
             ("{\"nodes\": 1}", "nodes is 1: it must be from 2 to 40"),
-            ("{\"leaves\": 1}", "unknown field `leaves`"),
+            ("{\"leaves\": 1}", "there is no number \"leaves\": there are lobes"),
             ("{\"secondary_deg\": 5}", "secondary_deg is 5: it must be from 10 to 150"),
             ("{\"triangles\": 60000}", "triangles is 60000"),
-            ("{\"border\": \"wavy\"}", "unknown variant `wavy`"),
+            ("{\"border\": \"wavy\"}", "border is \"wavy\": it must be one of polygon"),
             ("{\"border\": {\"toothed\": {\"tooth_deg\": 60}}}", "tooth_deg is 60"),
             ("{\"length\": {\"linear\": {\"a_cm\": 1, \"b_cm\": -1}}}", "would be 0.000 cm long"),
             ("{\"fine\": {\"step\": 3}}", "fine: step is 3: it must be from 0.05 to 1"),

@@ -26,21 +26,39 @@ const APART: f64 = 0.62;
 /// that chooses how they are joined.
 const STRAY: f64 = 0.06;
 
+/// Corners closer than this are one, in centimetres.
+const ONE_CM: f64 = 1e-5;
+
 /// Cuts a limb, with corners about `spacing_cm` apart, along veins that go from point to point.
 pub fn triangulate(limb: &Limb, veins: &[&[DVec2]], spacing_cm: f64) -> Flat {
     let mut points = Points::new(limb, spacing_cm);
-    let mut border = Vec::new();
-    for outline in &limb.outlines {
-        let closed: Vec<DVec2> = outline.iter().chain(outline.first()).copied().collect();
-        points.add_line(&closed, 0.0, &mut border);
-    }
+    let border = points.add_border(limb);
     let rim = points.all.len();
-    let mut along_veins = Vec::new();
-    for vein in veins {
-        points.add_line(vein, ALIKE * spacing_cm, &mut along_veins);
-    }
+    let along_veins = points.add_veins(veins, ALIKE * spacing_cm);
     points.fill(limb);
-    let places = points.all.iter().map(|p| Point2::new(p.x, p.y)).collect();
+    let (mut flat, border) = cut_along(points.all, rim, border, along_veins);
+    split_chords(&mut flat, &border);
+    flat
+}
+
+/// Cuts a limb along veins with no other corners than those of its border and of the veins.
+pub fn coarse(limb: &Limb, veins: &[&[DVec2]]) -> Flat {
+    // No side is as long as this.
+    let mut points = Points::new(limb, 1e100);
+    let border = points.add_border(limb);
+    let rim = points.all.len();
+    let along_veins = points.add_veins(veins, ONE_CM);
+    cut_along(points.all, rim, border, along_veins).0
+}
+
+/// The triangles inside the border, and the pieces of that, sorted.
+fn cut_along(
+    points: Vec<DVec2>,
+    rim: usize,
+    border: Vec<[usize; 2]>,
+    along_veins: Vec<[usize; 2]>,
+) -> (Flat, Vec<[usize; 2]>) {
+    let places = points.iter().map(|p| Point2::new(p.x, p.y)).collect();
     let mut cut = ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(
         places,
         border,
@@ -58,9 +76,7 @@ pub fn triangulate(limb: &Limb, veins: &[&[DVec2]], spacing_cm: f64) -> Flat {
         let [from, to] = ends.map(FixedVertexHandle::from_index);
         cut.try_add_constraint(from, to);
     }
-    let mut flat = Flat { triangles: inside(&cut, &border), points: points.all, rim };
-    split_chords(&mut flat, &border);
-    flat
+    (Flat { triangles: inside(&cut, &border), points, rim }, border)
 }
 
 /// Sides that go from the border to the border through the limb get a corner in their middle, so that an
@@ -214,6 +230,22 @@ impl Points {
         self.before.push(std::mem::replace(&mut self.last[cell], number as u32));
         self.all.push(p);
         number
+    }
+
+    /// The outlines of a limb, and the edges along them.
+    fn add_border(&mut self, limb: &Limb) -> Vec<[usize; 2]> {
+        let mut edges = Vec::new();
+        for outline in &limb.outlines {
+            let closed: Vec<DVec2> = outline.iter().chain(outline.first()).copied().collect();
+            self.add_line(&closed, 0.0, &mut edges);
+        }
+        edges
+    }
+
+    fn add_veins(&mut self, veins: &[&[DVec2]], alike: f64) -> Vec<[usize; 2]> {
+        let mut edges = Vec::new();
+        veins.iter().for_each(|vein| self.add_line(vein, alike, &mut edges));
+        edges
     }
 
     /// A line with points as far apart as the spacing says, and the edges between them.
