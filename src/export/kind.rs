@@ -4,6 +4,7 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Glb,
+    Baked,
     Ply,
     Obj,
     ThreeMf,
@@ -17,8 +18,9 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub const ALL: [Kind; 11] = [
+    pub const ALL: [Kind; 12] = [
         Kind::Glb,
+        Kind::Baked,
         Kind::Ply,
         Kind::Obj,
         Kind::ThreeMf,
@@ -35,6 +37,7 @@ impl Kind {
     pub fn word(self) -> &'static str {
         match self {
             Kind::Glb => "glb",
+            Kind::Baked => "baked",
             Kind::Ply => "ply",
             Kind::Obj => "obj",
             Kind::ThreeMf => "3mf",
@@ -55,6 +58,7 @@ impl Kind {
     /// How the name of its file ends, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
+            Kind::Baked => "glb",
             Kind::Leaves => "zip",
             Kind::Tile => "png",
             Kind::Days | Kind::Clones | Kind::Cells => "csv",

@@ -1,5 +1,6 @@
 //! The command line as its user meets it.
 
+mod baked;
 mod exports;
 mod fits;
 mod leaves;
