@@ -1,6 +1,8 @@
 //! Many individuals: the pictures of the thesis, and a plant with its numbers varied.
 
 use crate::{file, json, mosaic, path, succeed};
+use clonal_mosaic::play::atlas::Atlas;
+use clonal_mosaic::play::series::asked_view;
 use serde_json::Value;
 
 /// The standard output of a sweep.
@@ -118,6 +120,19 @@ fn a_number_is_varied_and_each_line_can_be_grown_again() {
     let red = |k: usize| lines[k]["count_shares"]["F"].as_f64().unwrap();
     assert!(red(0) > red(2) && red(2) > red(4), "{lines:?}");
 
+    // The page shows all of them, one individual each, and two numbers as a map.
+    let text = run(&[]);
+    let address = text.lines().last().unwrap().rsplit(' ').next().unwrap();
+    assert_eq!(address, "steps/mushroom?v=1&s=1&d=6&df=3,6,9&n=100,200");
+    let (view, rest) = asked_view(address.to_string().leak()).unwrap();
+    let [row] = view.rows(rest)[..] else { panic!("one row") };
+    let mut shown: Vec<&str> = row.pictures.iter().map(|picture| picture.link).collect();
+    let mut told: Vec<&str> = lines.iter().map(|line| line["link"].as_str().unwrap()).collect();
+    shown.sort_unstable();
+    told.sort_unstable();
+    assert_eq!(shown, told);
+    assert!(Atlas::read(rest).is_some());
+
     let whole = run(&["--csv"]);
     assert!(whole.starts_with("plant,df,n,individuals,cells,"), "{whole}");
     let shards = ["2/2", "1/2"].map(|shard| {
@@ -130,6 +145,16 @@ fn a_number_is_varied_and_each_line_can_be_grown_again() {
     assert!(told.contains("not of mosaic figures: try mosaic sweep"), "{told}");
     let read = succeed(&["sweep", "--merge", &shards[0], &shards[1]]);
     assert!(read.lines().skip(5).all(|line| line.contains("  mushroom?v=1&s=1&d=6")), "{read}");
+
+    // What the link itself says of a number that varies makes room, and one value is no series.
+    let one = ["sweep", "--link", "mushroom?v=1&n=300&df=4", "--day", "1", "--individuals", "1"];
+    let last = |more: &[&str]| {
+        let text = succeed(&[&one[..], more].concat());
+        text.lines().last().unwrap().to_string()
+    };
+    let address = last(&["--vary", "df=3,6"]);
+    assert!(address.ends_with(" steps/mushroom?v=1&s=1&d=1&n=300&df=3,6"), "{address}");
+    assert!(!last(&["--vary", "df=3"]).contains("steps/"));
 
     // An individual that outgrows its recipe has no line: the mean would lie.
     let output =

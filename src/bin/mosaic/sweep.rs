@@ -2,12 +2,14 @@
 
 use super::individuals::Subject;
 use super::many;
-use super::options::SweepOptions;
+use super::options::{Format, SweepOptions};
+use super::output::say;
 use super::subject;
 use super::table::Kind;
 use super::{Refusal, memory};
-use clonal_mosaic::play::Scene;
 use clonal_mosaic::play::parameters::{PARAMETERS, Parameter};
+use clonal_mosaic::play::series::MOST_PICTURES;
+use clonal_mosaic::play::{Scene, link};
 use clonal_mosaic::surface::quoted;
 use std::sync::Arc;
 
@@ -24,7 +26,34 @@ struct Varied {
 }
 
 pub fn sweep(options: &SweepOptions) -> Result<(), Refusal> {
-    many::print(Kind::Sweep, &options.many, || subjects(options))
+    many::print(Kind::Sweep, &options.many, || subjects(options))?;
+    let many = &options.many;
+    let is_table = many.merge.is_empty() && many.print.shard.is_none();
+    if !is_table || !matches!(many.print.format(), Format::Text) {
+        return Ok(());
+    }
+    let scene = subject::scene(options.source(), options.day)?;
+    match side_by_side(&scene, &varied(&options.vary)?) {
+        Some(address) => say(&format!("\nSide by side in the playground: {address}\n")),
+        None => Ok(()),
+    }
+}
+
+/// What the page shows a picture of each combination by, two numbers as a map, if it shows so many.
+fn side_by_side(scene: &Scene, all: &[Varied]) -> Option<String> {
+    let pictures: usize = all.iter().map(|varied| varied.values.len()).product();
+    if !(2..=MOST_PICTURES).contains(&pictures) {
+        return None;
+    }
+    let link = link::write(scene);
+    let varies = |word: &&str| all.iter().any(|v| word.split('=').next() == Some(v.parameter.key));
+    let mut words: Vec<String> =
+        link.split('&').filter(|word| !varies(word)).map(str::to_string).collect();
+    for Varied { parameter, values } in all {
+        let values: Vec<String> = values.iter().map(|&value| parameter.written(value)).collect();
+        words.push(format!("{}={}", parameter.key, values.join(",")));
+    }
+    Some(format!("steps/{}", words.join("&")))
 }
 
 /// A subject for each combination, the last number varying first.
