@@ -312,7 +312,10 @@ fn a_file_of_numbers_makes_its_body_again_and_what_is_wrong_is_told_in_words() {
 fn the_sliders_beside_the_body_are_seen_in_a_low_window() {
     let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
     page.on_day(1);
-    page.browser.resize(1280, 600);
+    page.devtools(
+        "Emulation.setDeviceMetricsOverride",
+        json!({"width": 1280, "height": 600, "deviceScaleFactor": 1, "mobile": false}),
+    );
     page.click("shape");
     drawn(&page, "leaf=");
     choose_kind(&page, "flower");

@@ -61,7 +61,7 @@ pub enum Command {
     /// The plant of a day in a file, for other programs: its mosaic as triangles in the colours that the
     /// page shows, with its bare parts, or its cells or clones as a table. docs/export.md says more.
     #[command(verbatim_doc_comment)]
-    Export(ExportOptions),
+    Export(Box<ExportOptions>),
     /// A body grown from rules: a leaf, or a tree
     Shape(ShapeOptions),
     /// How fast the engine is on this machine
