@@ -314,7 +314,7 @@ fn the_sliders_beside_the_body_are_seen_in_a_low_window() {
     page.on_day(1);
     page.devtools(
         "Emulation.setDeviceMetricsOverride",
-        json!({"width": 1280, "height": 600, "deviceScaleFactor": 1, "mobile": false}),
+        serde_json::json!({"width": 1280, "height": 600, "deviceScaleFactor": 1, "mobile": false}),
     );
     page.click("shape");
     drawn(&page, "leaf=");
