@@ -120,7 +120,8 @@ impl Perianth {
             foot_cm: petals.bud_cm[0][0],
             inner_lag: 0.0,
             tip_lag: 0.0,
-            lead: sepals.lead,
+            // They are ahead of the foot of the outermost petals, which is ahead of all else.
+            lead: 1.0 - (1.0 - petals.inner_lag) * (1.0 - petals.tip_lag) * (1.0 - sepals.lead),
         }
     }
 

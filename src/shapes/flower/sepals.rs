@@ -28,13 +28,13 @@ pub struct SepalNumbers {
     pub width: f64,
     /// How much farther out than the outermost petals they lean in the open flower; 0 to 150.
     pub open_deg: f64,
-    /// How much earlier than the flower they are open, as a share of the opening; 0 to 0.9.
+    /// How much earlier than the foot of the outermost petals they are open, as a share of its time; 0 to 0.9.
     pub lead: f64,
 }
 
 impl Default for SepalNumbers {
     fn default() -> SepalNumbers {
-        SepalNumbers { count: 0, length: 0.4, width: 0.9, open_deg: 40.0, lead: 0.2 }
+        SepalNumbers { count: 0, length: 0.3, width: 0.8, open_deg: 30.0, lead: 0.2 }
     }
 }
 

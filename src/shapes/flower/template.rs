@@ -11,6 +11,8 @@ pub const ROWS: usize = 9;
 
 /// How much farther out than the petals sepals lie in the bud, as a share.
 const APART: f64 = 0.04;
+/// How much lower the foot of sepals lies, as a share of its distance from the axis.
+const LOWER: f64 = 0.15;
 
 /// How a petal differs from the others of its flower.
 #[derive(Clone, Copy, Debug)]
@@ -36,8 +38,8 @@ pub struct Template {
     throat: f64,
     lean: f64,
     nest: f64,
-    /// Whether it is as narrow in the bud as it is flat, or reaches as far round it all along.
-    is_pointed: bool,
+    /// Of sepals, how long they are; they are as narrow in the bud as they are flat.
+    sepal_cm: Option<f64>,
 }
 
 /// From -1 at the left rim to 1 at the right.
@@ -69,7 +71,7 @@ impl Template {
             throat: numbers.throat,
             lean: numbers.lean,
             nest: numbers.nest,
-            is_pointed: false,
+            sepal_cm: None,
         }
     }
 
@@ -92,7 +94,7 @@ impl Template {
             bud_rad: 0.98 * room,
             lean: 0.0,
             nest: apart,
-            is_pointed: true,
+            sepal_cm: Some(sepals.length * self.length_cm),
             ..self.clone()
         }
     }
@@ -116,11 +118,11 @@ impl Template {
         self.placed(|x, p| {
             let vein = self.bud.at(p.y / self.length_cm * self.bud.length_cm()).0;
             let vein = vein * self.size(seat, x);
-            let angle = match self.is_pointed {
-                true => (p.x / vein.x.max(1e-3)).clamp(-self.bud_rad, self.bud_rad),
-                false => x * self.bud_rad,
+            let angle = match self.sepal_cm {
+                Some(_) => (p.x / vein.x.max(1e-3)).clamp(-self.bud_rad, self.bud_rad),
+                None => x * self.bud_rad,
             };
-            round(seat.azimuth + angle, vein)
+            round(seat.azimuth + angle, vein - self.lower(p.y))
         })
     }
 
@@ -135,7 +137,7 @@ impl Template {
         self.placed(|x, p| {
             let (point, along) = self.open.at(p.y * seat.length / scale);
             let along = turn(along);
-            let vein = foot * self.size(seat, 0.0)
+            let vein = foot * self.size(seat, 0.0) - self.lower(p.y)
                 + turn(point - foot) * scale
                 + DVec2::new(-along.y, along.x) * (p.z * seat.width);
             let width = p.x * seat.width;
@@ -148,6 +150,12 @@ impl Template {
             let lean = self.size(seat, x) / self.size(seat, 0.0);
             straight.lerp(round(seat.azimuth + angle, vein * DVec2::new(lean, 1.0)), bent)
         })
+    }
+
+    /// How much lower than petals sepals lie there: below the foot of petals that lean out.
+    fn lower(&self, along_cm: f64) -> DVec2 {
+        let above = self.sepal_cm.map_or(0.0, |length| (1.0 - along_cm / length).max(0.0));
+        DVec2::Y * (LOWER * self.bud.start().x * above * above)
     }
 
     /// What the bud of a petal is, as a share of the outermost one's.
