@@ -25,9 +25,9 @@ pub(super) struct Fitting {
 struct Corner {
     vertex: u32,
     at: Vec2,
-    /// The sum of the places that its triangles wish for it, and how many those are.
+    /// The sum of the places that its triangles wish for it, and their number.
     wished: Vec2,
-    triangles: f32,
+    wishes: f32,
 }
 
 /// A corner of each of four triangles, seen from their centroids in their own frames.
@@ -90,8 +90,7 @@ impl Fitting {
                     self.corners.len() - 1
                 }
             };
-            self.corners[corner].wished += corners[k];
-            self.corners[corner].triangles += 1.0;
+            self.corners[corner].wish(corners[k]);
             arm.corners[lane] = corner as u32;
             let from_centroid = shape[k] - centroid;
             arm.x.as_mut_array()[lane] = from_centroid.x;
@@ -127,15 +126,20 @@ impl Fitting {
         for lane in 0..triangles {
             for (arm, (x, y)) in arms.iter().zip(&wished) {
                 let corner = arm.corners[lane] as usize;
-                self.corners[corner].wished += Vec2::new(x[lane], y[lane]);
+                self.corners[corner].wish(Vec2::new(x[lane], y[lane]));
             }
         }
     }
 }
 
 impl Corner {
+    fn wish(&mut self, place: Vec2) {
+        self.wished += place;
+        self.wishes += 1.0;
+    }
+
     fn settle(&mut self) {
-        self.at = self.wished / self.triangles;
-        self.wished = Vec2::ZERO;
+        self.at = self.wished / self.wishes;
+        (self.wished, self.wishes) = (Vec2::ZERO, 0.0);
     }
 }

@@ -100,12 +100,7 @@ impl Mesh {
     pub(super) fn measure(&mut self) {
         let Mesh { positions, triangles, twins, frames, .. } = self;
         *frames = triangles.iter().map(|t| frame(corners(positions, t))).collect();
-        let along: Vec<Vec2> = (0..twins.len()).map(|h| direction(frames, h)).collect();
-        let turned = |h: usize| match twins[h] {
-            NO_TWIN => Vec2::X,
-            twin => turned(along[h], along[twin as usize]),
-        };
-        self.turns = (0..twins.len()).map(turned).collect();
+        self.turns = (0..twins.len()).map(|h| turn(frames, twins, h)).collect();
         self.areas = frames.iter().map(|f| 0.5 * f.length * f.apex.y).collect();
         self.area = self.areas.iter().map(|&a| f64::from(a)).sum::<f64>() as f32;
         self.normals = vertex_normals(positions, triangles);
@@ -328,18 +323,13 @@ fn turn(frames: &[Frame], twins: &[u32], h: usize) -> Vec2 {
     if twins[h] == NO_TWIN {
         return Vec2::X;
     }
-    turned(direction(frames, h), direction(frames, twins[h] as usize))
-}
-
-/// The direction in which a half-edge runs, in the frame of its triangle.
-fn direction(frames: &[Frame], h: usize) -> Vec2 {
-    let c = frames[h / 3].corners();
-    normalized(c[(h % 3 + 2) % 3] - c[(h % 3 + 1) % 3])
-}
-
-/// The rotation from the direction of a half-edge to that against its twin's as a complex number, there / here.
-fn turned(here: Vec2, twin: Vec2) -> Vec2 {
-    let there = -twin;
+    let twin = twins[h] as usize;
+    let direction = |h: usize| {
+        let c = frames[h / 3].corners();
+        normalized(c[(h % 3 + 2) % 3] - c[(h % 3 + 1) % 3])
+    };
+    let (here, there) = (direction(h), -direction(twin));
+    // The rotation from `here` to `there` as a complex number, there / here.
     normalized(Vec2::new(here.dot(there), here.perp_dot(there)))
 }
 

@@ -86,31 +86,10 @@ impl Mesh {
     /// The mesh as it stands on a day: the same triangles, parts and neighbours, and where it moves, corners
     /// elsewhere.
     pub fn on(&self, day: u32) -> Cow<'_, Mesh> {
-        match self.motion.on(day as f32) {
-            None => Cow::Borrowed(self),
-            Some(positions) => Cow::Owned(self.with(positions)),
-        }
-    }
-
-    /// The mesh with its corners elsewhere.
-    pub fn with(&self, positions: Vec<Vec3>) -> Mesh {
-        let mut moved = Mesh {
-            positions,
-            uvs: self.uvs.clone(),
-            triangles: self.triangles.clone(),
-            twins: self.twins.clone(),
-            parts: self.parts.clone(),
-            veins: self.veins.clone(),
-            motion: Motion::default(),
-            // These are measured.
-            normals: Vec::new(),
-            frames: Vec::new(),
-            turns: Vec::new(),
-            areas: Vec::new(),
-            area: 0.0,
-        };
+        let Some(positions) = self.motion.on(day as f32) else { return Cow::Borrowed(self) };
+        let mut moved = Mesh { positions, motion: Motion::default(), ..self.clone() };
         moved.measure();
-        moved
+        Cow::Owned(moved)
     }
 
     /// How many times larger another mesh of the same triangles is, if it is of the same shape to the last

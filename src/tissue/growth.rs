@@ -7,6 +7,7 @@ use super::ground::Ground;
 use super::relax::Crowd;
 use super::{CellType, Control, Day, Diary, Lineage, Recipe, RecipeError, control};
 use crate::surface::{DirectionField, Mesh, Place};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A run under way: it can be taken one relaxation event at a time, so that whoever drives it
@@ -58,7 +59,7 @@ impl Growth {
     ) -> Result<Growth, RecipeError> {
         recipe.check()?;
         control::check(&recipe, controls)?;
-        let (rest, mesh) = (Arc::clone(&mesh), on(&mesh, &mesh, 0));
+        let (rest, mesh) = (Arc::clone(&mesh), on(&mesh, 0));
         let (lineage, places) = sow(&mesh, &rest, &recipe, controls, seed);
         let setting = Setting { mesh: &mesh, rest: &rest, recipe: &recipe, controls };
         let clocks = Clocks::new(&setting, seed, &lineage, &places);
@@ -188,8 +189,8 @@ impl Growth {
     /// Brings the body to where it stands on a day. What was laid flat of it holds until its shape changes:
     /// growth that is everywhere the same leaves a pattern as it is.
     fn move_body(&mut self, day: usize) {
-        let moved = on(&self.rest, &self.mesh, day);
-        if Arc::ptr_eq(&moved, &self.mesh) {
+        let moved = on(&self.rest, day);
+        if moved.positions == self.mesh.positions {
             return;
         }
         let scale = self.mesh.scale_to(&moved);
@@ -228,11 +229,11 @@ impl Growth {
     }
 }
 
-/// A body as it stands on a day: the one that is there where it stands so already.
-fn on(rest: &Mesh, now: &Arc<Mesh>, day: usize) -> Arc<Mesh> {
-    match rest.motion.on(day as f32) {
-        Some(positions) if positions != now.positions => Arc::new(rest.with(positions)),
-        _ => Arc::clone(now),
+/// A body as it stands on a day.
+fn on(rest: &Arc<Mesh>, day: usize) -> Arc<Mesh> {
+    match rest.on(day as u32) {
+        Cow::Borrowed(_) => Arc::clone(rest),
+        Cow::Owned(moved) => Arc::new(moved),
     }
 }
 

@@ -199,7 +199,7 @@ impl Plan {
             let laid = image.laid;
             self.own.push(Own { laid, to_barycentric: laid.to_barycentric() });
         }
-        let mut around = Vec::with_capacity(images_around.len());
+        let mut around = Vec::new();
         for image in images_around {
             self.add_runs(image, patch.outline, &mut around);
         }
