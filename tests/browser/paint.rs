@@ -174,7 +174,13 @@ fn what_is_taken_away_of_a_painted_plant_opens_anywhere() {
     page.wait_for("the dialog", "return !!document.querySelector('#take-away-dialog[open]')");
     let said = page.run(link);
     assert!(said.as_str().unwrap().ends_with(&format!("#{address}")), "{said} of {address}");
+    // As large as a phone sees it that is held before the screen.
+    page.run(
+        "document.querySelector('#take-away-dialog .qr').style =
+             'position: fixed; inset: 0; z-index: 9; width: 800px; height: 800px; max-width: none'",
+    );
     assert!(read_code(&page, "#take-away-dialog .qr").ends_with(&format!("#{address}")));
+    page.run("document.querySelector('#take-away-dialog .qr').style = ''");
     let file = take(&page, "ply", &folder.join(format!("{}-1-day-1.ply", painted.plant)));
     let has = |text: &str| file.windows(text.len()).any(|window| window == text.as_bytes());
     let strokes = address.split_once('~').unwrap().1;
