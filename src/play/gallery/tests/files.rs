@@ -8,7 +8,7 @@ fn a_plant_that_only_the_row_shows_is_fetched_first() {
     let mine = Plant { name: "Mine", paint: &[], guides: None, ..croton.clone() };
     let (key, text) = crate::plants::to_text(&mine, SHEET);
     let key: &'static str = key.leak();
-    let link = format!("{key}?v=1&s=1&d=2~leaf=lobes:7").leak();
+    let link = format!("{key}?v=2&s=1&d=2~leaf=lobes:7").leak();
     let pictures = vec![Picture { label: "", link }].leak();
     let row: &'static Figure = Box::leak(Box::new(Figure { pictures, ..ROW }));
     let file = format!("{key}.obj").leak();
@@ -31,5 +31,5 @@ fn a_plant_that_only_the_row_shows_is_fetched_first() {
     assert!(matches!(effects[..], [(0, Effect::Post(_)), (0, Effect::Post(_))]), "{effects:?}");
     let opened = gallery.row().unwrap();
     assert_eq!((opened.day, opened.pictures[0].plant.name), (1, "Mine"));
-    assert_eq!(opened.link(0), format!("{key}?v=1&s=1&d=1~leaf=lobes:7"));
+    assert_eq!(opened.link(0), format!("{key}?v=2&s=1&d=1~leaf=lobes:7"));
 }
