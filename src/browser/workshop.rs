@@ -75,10 +75,7 @@ fn order(kind: Kind, link: &str, mesh: &str) -> Result<(Order, Growth), String> 
 
 /// Grows and writes a kind of file; an OBJ and its materials are packed into one.
 fn take(kind: Kind, link: &str, mesh: &str, name: &str) -> Result<JsValue, String> {
-    let (mut order, mut growth) = order(kind, link, mesh)?;
-    if let Ok(side_px) = name.parse() {
-        order = order.sized(side_px);
-    }
+    let (order, mut growth) = order(kind, link, mesh)?;
     loop {
         match growth.step() {
             Progress::Event => {}

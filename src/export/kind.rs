@@ -4,7 +4,6 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Glb,
-    Baked,
     Ply,
     Obj,
     ThreeMf,
@@ -18,9 +17,8 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub const ALL: [Kind; 12] = [
+    pub const ALL: [Kind; 11] = [
         Kind::Glb,
-        Kind::Baked,
         Kind::Ply,
         Kind::Obj,
         Kind::ThreeMf,
@@ -37,7 +35,6 @@ impl Kind {
     pub fn word(self) -> &'static str {
         match self {
             Kind::Glb => "glb",
-            Kind::Baked => "baked",
             Kind::Ply => "ply",
             Kind::Obj => "obj",
             Kind::ThreeMf => "3mf",
@@ -58,7 +55,6 @@ impl Kind {
     /// How the name of its file ends, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
-            Kind::Baked => "glb",
             Kind::Leaves => "zip",
             Kind::Tile => "png",
             Kind::Days | Kind::Clones | Kind::Cells => "csv",

@@ -2,7 +2,6 @@
 //! where they are, how they are bent, and their veins.
 
 use super::flats::{Flat, Flats};
-use super::packing::{GAP_PX, pack};
 use super::picture::{Channels, write_square};
 use super::specimen::Specimen;
 use super::zip::write_zip;
@@ -14,11 +13,15 @@ use std::io::{self, Write};
 
 /// The side of the pictures for one individual; for more of them the square is larger.
 const SIDE_PX: u32 = 2048;
+/// Around each leaf, filled with its rim, so that smaller copies of the pictures have no seam.
+const GAP_PX: usize = 8;
 /// Points along each side of a pixel.
 const SAMPLES: usize = 2;
 /// From the middle of a midrib to its side; veins of order 2 have half of it, and so on up to the last that is drawn.
 const MIDRIB_CM: f32 = 0.06;
 const LAST_ORDER: u32 = 4;
+/// Steps of the search for the scale.
+const STEPS: usize = 30;
 
 /// Pictures in which leaves have their places.
 pub struct LeafSet {
@@ -51,12 +54,21 @@ impl LeafSet {
         let side_px = SIDE_PX * side;
         let sizes: Vec<DVec2> =
             (0..individuals).flat_map(|_| flats.pieces.iter().map(|flat| flat.size)).collect();
-        let (px_per_mm, corners) = pack(&sizes, side_px as usize);
+        let largest = sizes.iter().map(|size| size.max_element()).fold(f64::MIN_POSITIVE, f64::max);
+        let (mut fits, mut too_large) = (0.0, f64::from(side_px) / largest);
+        let mut corners = vec![[GAP_PX; 2]; sizes.len()];
+        for _ in 0..STEPS {
+            let scale = 0.5 * (fits + too_large);
+            match places(&sizes, scale, side_px as usize) {
+                Some(found) => (fits, corners) = (scale, found),
+                None => too_large = scale,
+            }
+        }
         let pixels = (side_px as usize).pow(2);
         LeafSet {
             individuals,
             side_px,
-            px_per_mm,
+            px_per_mm: fits,
             corners,
             colour: vec![[0; 3]; pixels],
             alpha: vec![0; pixels],
@@ -202,6 +214,30 @@ impl LeafSet {
         };
         format!("{individuals}{} pixels wide", self.side_px)
     }
+}
+
+/// The upper left corners of leaves of some sizes in rows, the longest first; None if they do not fit.
+fn places(sizes: &[DVec2], px_per_mm: f64, side_px: usize) -> Option<Vec<[usize; 2]>> {
+    let size_px =
+        |k: usize| (sizes[k] * px_per_mm).to_array().map(|x| x.ceil() as usize + 2 * GAP_PX);
+    let mut order: Vec<usize> = (0..sizes.len()).collect();
+    order.sort_by_key(|&k| std::cmp::Reverse(size_px(k)[1]));
+    let mut corners = vec![[0; 2]; sizes.len()];
+    let (mut next, mut row_px) = ([0, 0], 0);
+    for k in order {
+        let [width, height] = size_px(k);
+        if next[0] + width > side_px {
+            next = [0, next[1] + row_px];
+            row_px = 0;
+        }
+        row_px = row_px.max(height);
+        if next[0] + width > side_px || next[1] + row_px > side_px {
+            return None;
+        }
+        corners[k] = next.map(|px| px + GAP_PX);
+        next[0] += width;
+    }
+    Some(corners)
 }
 
 /// The axes of a leaf in space: to the right and up as it lies flat, and out of it, in the mean over its area.

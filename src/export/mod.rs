@@ -1,6 +1,5 @@
 //! Files out: tables, and the plant of a day as other programs read it.
 
-mod baked;
 mod cells;
 mod chart;
 mod clones;
@@ -24,7 +23,6 @@ mod mp4;
 mod obj;
 mod order;
 mod outlines;
-mod packing;
 mod picture;
 mod ply;
 mod series;
@@ -36,7 +34,6 @@ mod svg;
 mod three_mf;
 mod tile;
 mod tiling;
-mod unwrapped;
 mod usdz;
 mod zip;
 

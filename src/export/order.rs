@@ -1,23 +1,21 @@
 //! A scene as files: what the shell and the page's studio do alike, before a file is a file.
 
-use super::baked::bake;
 use super::cells::write_cells;
 use super::clones::write_clones;
 use super::days::DayNumbers;
 use super::flats::Flats;
-use super::glb::{Textured, write_glb};
+use super::glb::write_glb;
 use super::kind::Kind;
 use super::leaves::LeafSet;
 use super::obj::{write_mtl, write_obj};
-use super::picture::{Channels, write_large_square, write_square};
+use super::picture::{Channels, write_square};
 use super::ply::write_ply;
-use super::specimen::{Specimen, bare, gloss};
+use super::specimen::Specimen;
 use super::svg::write_svg;
 use super::three_mf::write_3mf;
 use super::tile::Tile;
-use super::unwrapped::Unwrapped;
 use super::usdz::write_usdz;
-use crate::mosaic::{Pattern, SiteFinder};
+use crate::mosaic::Pattern;
 use crate::plants::{self, Show};
 use crate::play::{Scene, origin};
 use crate::surface::{Body, Charts, Mesh, Ornament, STROKES, flat_torus};
@@ -33,8 +31,6 @@ pub struct Order {
     mesh: Arc<Mesh>,
     ornaments: Vec<Ornament>,
     noise: Option<Noise>,
-    /// The side of a texture that is baked.
-    side_px: u32,
 }
 
 /// What was written: the content of the file, of an OBJ then that of its materials, and what it is in a few words.
@@ -46,8 +42,6 @@ pub struct Written {
 /// The reach of the cells goes by their number, so it is no matter how large the square is.
 const TILE_SIDE_CM: f32 = 16.0;
 const TILE_PX: u32 = 2048;
-/// Of a baked texture, if nothing else is said.
-const BAKED_PX: u32 = 4096;
 /// Squares of the torus along its side: as many triangles as plants have.
 const TILE_SQUARES: u32 = 48;
 /// With fewer, cells would be neighbours of themselves, the long way around.
@@ -72,13 +66,7 @@ impl Order {
             grown.sow(mesh.clone())
         };
         let (growth, noise) = sown.map_err(|e| e.to_string())?;
-        let scene = scene.clone();
-        Ok((Order { kind, scene, mesh, ornaments, noise, side_px: BAKED_PX }, growth))
-    }
-
-    /// A baked texture is to have so many pixels along its side.
-    pub fn sized(self, side_px: u32) -> Order {
-        Order { side_px, ..self }
+        Ok((Order { kind, scene: scene.clone(), mesh, ornaments, noise }, growth))
     }
 
     /// Writes the last day of a diary of the growth. `name` is what an OBJ calls the file of its materials.
@@ -113,7 +101,6 @@ impl Order {
                 });
                 written.map(|written| written.told(format!("{TILE_PX} pixels wide")))
             }
-            Kind::Baked => self.write_baked(mesh, &diary, day),
             Kind::Days | Kind::Leaves => unreachable!("written above"),
             Kind::Glb | Kind::Ply | Kind::Obj | Kind::ThreeMf | Kind::Usdz | Kind::Svg => {
                 self.specimen(&diary, |specimen| write_specimen(self.kind, specimen, name))
@@ -127,45 +114,12 @@ impl Order {
     fn specimen<T>(&self, diary: &Diary, take: impl FnOnce(&Specimen) -> T) -> T {
         let day = diary.days.len() - 1;
         let mesh = &*self.mesh.on(day as u32);
-        let ornaments = self.ornaments_on(day);
+        let ornaments: Vec<Ornament> =
+            self.ornaments.iter().map(|part| part.on(day as u32)).collect();
         let (body, controls) =
             ((&*self.mesh, mesh, &ornaments[..]), self.scene.plant.controls(self.scene.individual));
         let link = self.link(day);
         take(&Specimen::new(body, &self.scene.look, &controls, (diary, day), link))
-    }
-
-    fn ornaments_on(&self, day: usize) -> Vec<Ornament> {
-        self.ornaments.iter().map(|part| part.on(day as u32)).collect()
-    }
-
-    /// The body as it stands on a day, `mesh`, with its mosaic as a texture.
-    fn write_baked(&self, mesh: &Mesh, diary: &Diary, day: usize) -> Result<Written, String> {
-        let Scene { plant, look, individual, .. } = &self.scene;
-        let mut finder = SiteFinder::new(&self.mesh).coloured(plant.controls(*individual));
-        let lists = finder.find(&self.mesh, diary, day);
-        // Its charts are no longer needed.
-        drop(finder);
-        let side_px = self.side_px;
-        let unwrapped = Unwrapped::new(mesh, side_px)?;
-        let pixels = bake(mesh, &lists, look, &unwrapped, side_px);
-        let png =
-            write_large_square(side_px, Channels::Colour, &pixels).map_err(|e| e.to_string())?;
-        let textured = Textured {
-            link: self.link(day),
-            mesh,
-            unwrapped: &unwrapped,
-            side_px,
-            png: &png,
-            gloss: gloss(look),
-            bare: &bare(&self.ornaments_on(day), look),
-        };
-        let bare: usize = textured.bare.iter().map(|bare| bare.triangles.len()).sum();
-        let triangles = mesh.triangles.len() + bare;
-        let told = format!(
-            "{triangles} triangles, a texture of {side_px} x {side_px} pixels, {:.0} to a centimetre",
-            unwrapped.px_per_cm
-        );
-        Ok(file(|out| textured.write(out))?.told(told))
     }
 
     /// A day that stands in the diary of the growth, in numbers. `charts` are those of the body.

@@ -70,24 +70,6 @@ pub(super) enum Channels {
 /// # Errors
 /// Pixels that are not as many as the side says.
 pub(super) fn write_square(side_px: u32, channels: Channels, pixels: &[u8]) -> io::Result<Vec<u8>> {
-    write_packed(side_px, channels, pixels, png::Compression::Balanced)
-}
-
-/// The same in a tenth of the time, and larger.
-pub(super) fn write_large_square(
-    side_px: u32,
-    channels: Channels,
-    pixels: &[u8],
-) -> io::Result<Vec<u8>> {
-    write_packed(side_px, channels, pixels, png::Compression::Fast)
-}
-
-fn write_packed(
-    side_px: u32,
-    channels: Channels,
-    pixels: &[u8],
-    compression: png::Compression,
-) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, side_px, side_px);
     encoder.set_color(match channels {
@@ -95,7 +77,6 @@ fn write_packed(
         _ => png::ColorType::Rgb,
     });
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(compression);
     if channels == Channels::Colour {
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     }

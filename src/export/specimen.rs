@@ -16,7 +16,7 @@ pub struct Specimen<'a> {
     cells: Vec<(CellType, Vec3)>,
     /// The colour of a part without cells.
     of_nobody: Vec3,
-    /// 0 matt to 1 waxy, of the patterned surface.
+    /// 0 matt to 1 waxy, of the patterned surface: the mean of its types.
     pub gloss: f32,
     /// By their names.
     pub bare: Vec<Bare>,
@@ -62,7 +62,7 @@ impl<'a> Specimen<'a> {
             tiling: Tiling::new(mesh, &diary.days[day].places),
             cells: cells.collect(),
             of_nobody: look.of_nobody(),
-            gloss: gloss(look),
+            gloss: look.gloss * look.skin.gloss.iter().sum::<f32>() / 3.0,
             bare: bare(ornaments, look),
             type_colours: look.cells,
         }
@@ -109,13 +109,8 @@ impl<'a> Specimen<'a> {
     }
 }
 
-/// 0 matt to 1 waxy, of a patterned surface: the mean of its types.
-pub(super) fn gloss(look: &Look) -> f32 {
-    look.gloss * look.skin.gloss.iter().sum::<f32>() / 3.0
-}
-
 /// The bare parts, those of one material together.
-pub(super) fn bare(ornaments: &[Ornament], look: &Look) -> Vec<Bare> {
+fn bare(ornaments: &[Ornament], look: &Look) -> Vec<Bare> {
     let mut sorted: Vec<&Ornament> = ornaments.iter().collect();
     sorted.sort_by(|a, b| a.material.cmp(&b.material));
     let of_one = sorted.chunk_by(|a, b| a.material == b.material);

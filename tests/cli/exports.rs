@@ -339,9 +339,7 @@ fn what_cannot_be_exported_is_refused_on_one_line() {
     let folder = env!("CARGO_TARGET_TMPDIR");
     let (file, twice, nowhere) = (path("x.glb"), path("x.mtl"), path("no/such/folder.glb"));
     for (arguments, word) in [
-        (&["export"][..], "--glb, --baked, --ply, --obj"),
-        (&["export", "--glb", &file, "--pixels", "512"], "--pixels is for --baked"),
-        (&["export", "--baked", &file, "--pixels", "9000"], "from 256 to 8192"),
+        (&["export"][..], "--glb, --ply, --obj"),
         (&["export", "--glb"], "--glb"),
         (&["export", "--glb", &file, "--ply", &file], "only one of them"),
         (&["export", "--glb", &file, "--glb", &file], "only one --glb"),

@@ -1,6 +1,5 @@
 //! The command line as its user meets it.
 
-mod baked;
 mod exports;
 mod fits;
 mod leaves;

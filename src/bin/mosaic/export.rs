@@ -18,9 +18,6 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
     if options.individuals.is_some() && kind != Kind::Leaves {
         return Err("--individuals is for --leaves: all else is of one individual".to_string());
     }
-    if options.pixels.is_some() && kind != Kind::Baked {
-        return Err("--pixels is for --baked: all else has a size of its own".to_string());
-    }
     let mut scene = subject::scene(options.source(), options.day)?;
     scene.individual = options.individual.unwrap_or(scene.individual);
     // Tried first: nobody should wait for a plant that cannot be written down.
@@ -39,10 +36,7 @@ pub fn export(options: &ExportOptions) -> Result<(), Refusal> {
     memory::check(&recipe)?;
     let mut grown = Vec::new();
     for _ in 0..individuals {
-        let (mut order, growth) = Order::new(kind, &scene, scene.plant.embedded_body())?;
-        if let Some(side_px) = options.pixels {
-            order = order.sized(side_px);
-        }
+        let (order, growth) = Order::new(kind, &scene, scene.plant.embedded_body())?;
         grown.push((order, grow(growth.on_threads(cores()), &recipe)));
         scene.individual = scene.individual.wrapping_add(1);
     }

@@ -13,10 +13,7 @@ use crate::play::{Scene, link, words};
 use js_sys::Uint8Array;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{
-    Element, Event, HtmlDialogElement, HtmlElement, HtmlSelectElement, HtmlTextAreaElement,
-    ShareData,
-};
+use web_sys::{Element, Event, HtmlDialogElement, HtmlElement, HtmlTextAreaElement, ShareData};
 
 pub struct TakeAway {
     dialog: HtmlDialogElement,
@@ -111,12 +108,10 @@ impl TakeAway {
                 let file = format!("{name}.{end}");
                 let (what, last_day) = (kind.word(), scene.day);
                 self.begin(Making { file: file.clone(), what, last_day, steps: 0 });
-                let side: HtmlSelectElement = within(&self.dialog, ".baked-side");
-                let more = if kind == Kind::Baked { side.value() } else { name };
                 spawn_local(async move {
                     let mesh = subject::mesh_of(&scene).await;
                     with(|studio| {
-                        studio.take_away.grow(&file, "workshop", [what, &link], mesh, &*more);
+                        studio.take_away.grow(&file, "workshop", [what, &link], mesh, &*name);
                     });
                 });
             }

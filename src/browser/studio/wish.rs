@@ -1,6 +1,5 @@
 //! What the studio wishes of its workshop and its darkroom: an array of a word, a link, the packed mesh of its plant, and what
-//! else the word needs. The word of a kind of file (`export::Kind`) needs the name of the file without its end, but
-//! that of a texture how many pixels it has along each side.
+//! else the word needs. The word of a kind of file (`export::Kind`) needs the name of the file without its end.
 //!
 //! It is answered by numbers, how many days have grown; a text, why it cannot be; or an array, what was wanted:
 //! of a file what it is in a few words, and its bytes.

@@ -100,3 +100,20 @@ fn pixels_have_the_colours_of_the_cells_that_the_shader_finds_there() {
         }
     }
 }
+
+#[test]
+fn leaves_lie_apart() {
+    let sizes: Vec<DVec2> =
+        (1..40).map(|k| DVec2::new(f64::from(k % 7 + 2), f64::from(k))).collect();
+    let corners = places(&sizes, 9.0, 2048).unwrap();
+    for (k, a) in corners.iter().enumerate() {
+        for (j, b) in corners.iter().enumerate().filter(|(j, _)| *j != k) {
+            let px = |k: usize| (sizes[k] * 9.0).to_array().map(|x| x.ceil() as usize);
+            let apart = (0..2)
+                .any(|n| a[n] + px(k)[n] + GAP_PX <= b[n] || b[n] + px(j)[n] + GAP_PX <= a[n]);
+            assert!(apart, "{k} and {j}");
+        }
+        assert!((0..2).all(|n| a[n] >= GAP_PX));
+    }
+    assert!(places(&sizes, 100.0, 2048).is_none());
+}

@@ -18,9 +18,6 @@ pub struct ExportOptions {
     /// With --leaves, those of so many individuals from this one on, up to 16
     #[arg(long, value_name = "N", value_parser = from_one_to::<16>, allow_negative_numbers = true)]
     pub individuals: Option<u32>,
-    /// With --baked, the pixels along each side of the texture, from 256 to 8192; without it 4096
-    #[arg(long, value_name = "N", value_parser = side, allow_negative_numbers = true)]
-    pub pixels: Option<u32>,
     #[command(flatten)]
     wanted: Wanted,
 }
@@ -46,9 +43,6 @@ struct Wanted {
     /// The plant as binary glTF, for Blender, three.js and most viewers
     #[arg(long, value_name = "OUT.glb")]
     glb: Option<PathBuf>,
-    /// The same with its mosaic as a texture, for game engines and all that passes over colours at corners
-    #[arg(long, value_name = "OUT.glb")]
-    baked: Option<PathBuf>,
     /// The plant as PLY with a colour at each corner, for MeshLab and programs of one's own
     #[arg(long, value_name = "OUT.ply")]
     ply: Option<PathBuf>,
@@ -96,11 +90,10 @@ impl ExportOptions {
     }
 
     fn path(&self, kind: Kind) -> Option<&Path> {
-        let Wanted { glb, baked, ply, obj, three_mf, usdz, svg, leaves, tile, days, clones, cells } =
+        let Wanted { glb, ply, obj, three_mf, usdz, svg, leaves, tile, days, clones, cells } =
             &self.wanted;
         let path = match kind {
             Kind::Glb => glb,
-            Kind::Baked => baked,
             Kind::Ply => ply,
             Kind::Obj => obj,
             Kind::ThreeMf => three_mf,
@@ -113,13 +106,5 @@ impl ExportOptions {
             Kind::Cells => cells,
         };
         path.as_deref()
-    }
-}
-
-/// The side of a texture in pixels.
-fn side(text: &str) -> Result<u32, String> {
-    match text.parse() {
-        Ok(number) if (256..=8192).contains(&number) => Ok(number),
-        _ => Err("it must be a whole number from 256 to 8192".into()),
     }
 }
