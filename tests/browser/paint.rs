@@ -177,7 +177,7 @@ fn what_is_taken_away_of_a_painted_plant_opens_anywhere() {
     // As large as a phone sees it that is held before the screen.
     page.run(
         "document.querySelector('#take-away-dialog .qr').style =
-             'position: fixed; inset: 0; z-index: 9; width: 800px; height: 800px; max-width: none'",
+             'position: fixed; inset: 0; z-index: 9; width: 600px; height: 600px; max-width: none'",
     );
     assert!(read_code(&page, "#take-away-dialog .qr").ends_with(&format!("#{address}")));
     page.run("document.querySelector('#take-away-dialog .qr').style = ''");
