@@ -52,14 +52,7 @@ fn measure_a_held_day() {
     println!("\nA held day of the croton on the screen, milliseconds of the page, medians.");
     for graphics in [Graphics::WebGpu, Graphics::WebGl2] {
         let Some(page) = Page::start(graphics) else { return };
-        let watch = "const ask = window.requestAnimationFrame.bind(window);
-            window.spent_ms = [];
-            window.requestAnimationFrame = callback => ask(now => {
-                const begun = performance.now();
-                callback(now);
-                window.spent_ms.push(performance.now() - begun)
-            })";
-        page.devtools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": watch }));
+        time_frames(&page);
         page.visit("#croton?v=1&s=1&d=30");
         let state = page.on_day(30);
         let spent_ms = DAYS.map(|day| {
@@ -123,6 +116,19 @@ fn measure_a_moving_frame() {
         let drawn_ms: Vec<f64> = serde_json::from_value(drawn_ms).expect("numbers");
         println!("{plant:12} {:8.1}", drawn_ms.into_iter().fold(f64::INFINITY, f64::min));
     }
+}
+
+/// Makes pages that are loaded from now on note what each frame takes them, in milliseconds, in `spent_ms`.
+pub fn time_frames(page: &Page) {
+    page.before_pages(
+        "const ask = window.requestAnimationFrame.bind(window);
+         window.spent_ms = [];
+         window.requestAnimationFrame = callback => ask(now => {
+             const begun = performance.now();
+             callback(now);
+             window.spent_ms.push(performance.now() - begun)
+         })",
+    );
 }
 
 fn best(mut run: impl FnMut() -> Option<f64>) -> f64 {

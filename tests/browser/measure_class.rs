@@ -1,6 +1,7 @@
 //! `./playground measure`: what a class waits for. Nothing is asserted: times depend on the machine.
 
 use crate::engines::Graphics;
+use crate::measure::time_frames;
 use crate::page::Page;
 
 const RUNS: usize = 3;
@@ -81,15 +82,7 @@ fn measure_a_comparison() {
     println!("\nA held day of a comparison, milliseconds of the page, medians.");
     for graphics in [Graphics::WebGpu, Graphics::WebGl2] {
         let Some(page) = Page::start(graphics) else { return };
-        page.before_pages(
-            "const ask = window.requestAnimationFrame.bind(window);
-             window.spent_ms = [];
-             window.requestAnimationFrame = callback => ask(now => {
-                 const begun = performance.now();
-                 callback(now);
-                 window.spent_ms.push(performance.now() - begun)
-             })",
-        );
+        time_frames(&page);
         let link = "croton?v=1&d=24&n=19400";
         page.visit(&format!("#compare/{link}/{link}&s=2"));
         let on_day = |day: u32| {

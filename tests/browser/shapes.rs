@@ -68,6 +68,15 @@ fn key_of(words: &str) -> String {
     Made::of_words(words).unwrap().own().unwrap().key
 }
 
+/// The dialog over a lungwort, with a leaf in it.
+fn open_dialog() -> Option<Page> {
+    let page = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1")?;
+    page.on_day(1);
+    page.click("shape");
+    drawn(&page, "leaf=");
+    Some(page)
+}
+
 #[test]
 fn a_leaf_answers_to_its_numbers_grows_and_comes_again_by_its_link() {
     let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
@@ -136,10 +145,7 @@ fn a_leaf_answers_to_its_numbers_grows_and_comes_again_by_its_link() {
 
 #[test]
 fn a_tree_has_a_matrix_of_ones_own_and_a_flower_strokes_that_are_drawn() {
-    let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
-    page.on_day(1);
-    page.click("shape");
-    drawn(&page, "leaf=");
+    let Some(page) = open_dialog() else { return };
     choose_kind(&page, "tree");
     drawn(&page, "tree=");
     set(&page, "order", "3");
@@ -206,10 +212,7 @@ fn words(page: &Page) -> String {
 
 #[test]
 fn a_flower_has_sepals_and_a_tree_the_leaf_that_was_made_last() {
-    let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
-    page.on_day(1);
-    page.click("shape");
-    drawn(&page, "leaf=");
+    let Some(page) = open_dialog() else { return };
     set(&page, "lobes", "3");
     set(&page, "size", "2");
     drawn(&page, "leaf=lobes:3,size:2");
@@ -256,10 +259,7 @@ fn a_flower_has_sepals_and_a_tree_the_leaf_that_was_made_last() {
 
 #[test]
 fn a_line_that_is_drawn_anew_is_a_stroke_of_the_petal_and_undone_by_the_keys() {
-    let Some(page) = Page::open(Graphics::WebGpu, "#lungwort?v=1&s=2&d=1") else { return };
-    page.on_day(1);
-    page.click("shape");
-    drawn(&page, "leaf=");
+    let Some(page) = open_dialog() else { return };
     choose_kind(&page, "flower");
     drawn(&page, "flower=");
     let petal = "#shape-dialog svg[data-strokes~=\"petals.vein_cm\"]";

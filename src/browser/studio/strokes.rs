@@ -179,26 +179,10 @@ impl ShapeView {
         let Some(mut points) = points_of(&field(key)) else { return };
         let Some(point) = points.get_mut(k) else { return };
         *point = to(*point).map(|cm| hundredths(cm.clamp(-100.0, 100.0)));
-        let [x, y] = *point;
-        write(&field(key), &points);
-        let is_alike = within::<HtmlInputElement>(&self.dialog, ".alike").checked();
-        let across = EDGES.iter().position(|edge| *edge == key).map(|edge| EDGES[1 - edge]);
-        if let Some(across) = across.filter(|_| is_alike)
-            && let Some(mut others) = points_of(&field(across))
-            && let Some(other) = others.get_mut(k)
-        {
-            *other = [-x + 0.0, y];
-            write(&field(across), &others);
-            self.exact.retain(|(other, _)| other != across);
-        }
-        self.exact.retain(|(other, _)| other != key);
-        self.act_on(key);
-        self.tell_numbers();
-        self.wish(SHAPE);
+        self.set_stroke(key, &points);
     }
 
-    /// Puts a line that was drawn by hand in the place of the stroke that it is nearest to, and of the one across it where
-    /// both edges are alike.
+    /// Puts a line that was drawn by hand in the place of the stroke that it is nearest to.
     fn take_drawn(&mut self, which: usize) {
         let drawn = self.strokes[which].lift_pen();
         let keys = self.strokes[which].keys();
@@ -208,16 +192,20 @@ impl ShapeView {
         let Some(meant) = line_meant(&drawn, &lines) else { return };
         let Some(points) = in_few_points(&drawn, &lines[meant], LEAST_CM) else { return };
         let points: Vec<[f64; 2]> = points.into_iter().map(|point| point.map(hundredths)).collect();
-        let key = &keys[meant];
-        write(&field(key), &points);
+        self.set_stroke(&keys[meant], &points);
+    }
+
+    /// Gives a stroke its points, and its mirror image to the one across it where both edges are alike.
+    fn set_stroke(&mut self, key: &str, points: &[[f64; 2]]) {
+        write(&field(&self.dialog, key), points);
+        self.exact.retain(|(other, _)| other != key);
         let is_alike = within::<HtmlInputElement>(&self.dialog, ".alike").checked();
-        let across = EDGES.iter().position(|edge| edge == key).map(|edge| EDGES[1 - edge]);
-        if let Some(across) = across.filter(|_| is_alike) {
+        let edge = EDGES.iter().position(|edge| *edge == key).filter(|_| is_alike);
+        if let Some(across) = edge.map(|edge| EDGES[1 - edge]) {
             let mirrored: Vec<[f64; 2]> = points.iter().map(|[x, y]| [-x + 0.0, *y]).collect();
-            write(&field(across), &mirrored);
+            write(&field(&self.dialog, across), &mirrored);
             self.exact.retain(|(other, _)| other != across);
         }
-        self.exact.retain(|(other, _)| other != key);
         self.act_on(key);
         self.tell_numbers();
         self.wish(SHAPE);
