@@ -27,8 +27,9 @@ pub fn leafy(
     numbers: &TreeNumbers,
     leaf: &LeafNumbers,
 ) -> Result<PolygonMesh, ShapeError> {
-    let leaf = leaf.clone().scaled(numbers.leaf_size);
-    let flat = FlatLeaf::new(&leaf).map_err(|ShapeError(why)| ShapeError(format!("leaf.{why}")))?;
+    let flat = FlatLeaf::new(leaf).map_err(|ShapeError(why)| ShapeError(format!("leaf.{why}")))?;
+    let flat = flat.scaled(numbers.leaf_size);
+    let petiole_radius_cm = numbers.leaf_size * leaf.petiole_width_cm / 2.0;
     let bears = |node: usize| {
         let at = &tree.nodes[node];
         at.order == 1 && uniform(part_key(at.key, 0), Purpose::Side) < numbers.leaf_ends
@@ -54,7 +55,7 @@ pub fn leafy(
     if leaf.petiole_cm > 0.0 {
         start(&mut mesh, "petioles", "bare:petiole");
         for hung in &hung {
-            let path = flat.petiole.map(|p| (hung.place(p), leaf.petiole_width_cm / 2.0));
+            let path = flat.petiole.map(|p| (hung.place(p), petiole_radius_cm));
             tube(&mut mesh, SIDES, &path);
         }
     }

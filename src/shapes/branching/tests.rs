@@ -1,6 +1,7 @@
 //! Drawn trees against the exact laws of their matrices.
 
 use super::{Census, Ramification, Tree, TreeNumbers, bark};
+use crate::shapes::leaf::LeafNumbers;
 use crate::surface::{Body, PolygonMesh};
 
 /// Standard errors that a mean strays by less often than once in 90,000 times.
@@ -270,5 +271,25 @@ fn a_tree_is_a_surface_of_one_tube_for_each_branch() {
         body.surface.check().unwrap();
         let branches: u64 = Census::new(&tree).branches.iter().sum();
         assert_eq!(body.surface.part_count() as u64, branches);
+    }
+}
+
+#[test]
+fn leaves_may_be_as_small_and_as_large_as_their_range_says() {
+    for petiole_width_cm in [0.02, 2.0] {
+        let leaf = LeafNumbers { petiole_width_cm, ..LeafNumbers::default() };
+        let blades_cm2 = [0.05, 1.0, 10.0].map(|leaf_size| {
+            let leaf = Some(leaf.clone());
+            let numbers =
+                TreeNumbers { leaf, leaf_size, leaf_spots: 0.0, ..TreeNumbers::default() };
+            let tree = Tree::draw(&named("uniform"), 3, 5).unwrap();
+            let mesh = PolygonMesh::parse(&super::body(&tree, &numbers).unwrap().to_obj()).unwrap();
+            Body::new(&mesh).unwrap().surface.areas.iter().map(|area| f64::from(*area)).sum::<f64>()
+        });
+        let [small, usual, large] = blades_cm2;
+        // Each is a tenth larger or smaller by how it hangs, which is another way where there is less room.
+        let as_large = 0.81 / 1.21..1.21 / 0.81;
+        assert!(as_large.contains(&(small / usual / 0.0025)), "{blades_cm2:?}");
+        assert!(as_large.contains(&(large / usual / 100.0)), "{blades_cm2:?}");
     }
 }

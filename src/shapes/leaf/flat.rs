@@ -57,6 +57,14 @@ impl FlatLeaf {
         })
     }
 
+    /// The same leaf, so many times as large.
+    pub fn scaled(mut self, size: f64) -> FlatLeaf {
+        let forms = [&mut self.blade, &mut self.spot];
+        let places = forms.into_iter().flat_map(|form| &mut form.places);
+        places.chain(&mut self.petiole).for_each(|place| *place *= size);
+        self
+    }
+
     /// How far from the foot of its petiole it comes.
     pub fn reach_cm(&self) -> f64 {
         let places = self.blade.places.iter().chain(&self.spot.places);
