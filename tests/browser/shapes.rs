@@ -329,3 +329,28 @@ fn the_sliders_beside_the_body_are_seen_in_a_low_window() {
         assert_eq!(page.run(&is_seen), true, "{slider} lies under something or outside");
     }
 }
+
+#[test]
+fn a_workshop_that_ends_is_told_of_and_another_one_answers_the_next_slider() {
+    let Some(page) = Page::start(Graphics::Neither) else { return };
+    page.before_pages(
+        "window.workers = [];
+         window.Worker = class extends Worker {
+             constructor(...all) { super(...all); window.workers.push(this) }
+         }",
+    );
+    page.visit("#lungwort?v=1&s=2&d=1");
+    page.on_day(1);
+    page.click("shape");
+    drawn(&page, "leaf=");
+    page.run(
+        "const last = window.workers.at(-1);
+         last.terminate();
+         last.dispatchEvent(new ErrorEvent('error', {cancelable: true}))",
+    );
+    let told = "const told = [...document.querySelectorAll('#shape-dialog [role=status]')];
+                return told.some(e => e.textContent === 'It ended before it was done, most likely for want of memory.')";
+    page.wait_for("why nothing is answered", told);
+    set(&page, "lobes", "7");
+    drawn(&page, "leaf=lobes:7");
+}

@@ -3,7 +3,7 @@
 use super::subject::{self, link_of};
 use super::wish::{FIT, MOST_TRIES};
 use super::with;
-use super::work::{Said, Work};
+use super::work::{Said, Work, refusal};
 use crate::browser::dom::{
     Listener, document, find, offer, on, set_attribute, set_flag, set_text, within,
 };
@@ -130,7 +130,9 @@ impl FitView {
                 self.say(&format!("Try {tries} …"));
                 self.show_progress(Some(tries));
             }
-            Said::Refused(why) => self.forget(&format!("This cannot be looked for: {why}.")),
+            Said::Refused(why) => {
+                self.forget(&refusal(&why, format!("This cannot be looked for: {why}.")))
+            }
             Said::Done(answer) if answer.length() == 2 => self.add(&answer),
             Said::Done(_) => {
                 self.work = None;

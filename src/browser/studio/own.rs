@@ -4,7 +4,7 @@ use super::files::{begin, tell};
 use super::subject::{self, link_of};
 use super::wish::{ANEW, OWN};
 use super::with;
-use super::work::Said;
+use super::work::{Said, refusal};
 use crate::browser::address::wanted;
 use crate::browser::dom::{find, window};
 use crate::browser::files;
@@ -83,7 +83,7 @@ fn make_on(base: String, name: String, bytes: Uint8Array, asked: Option<String>)
         let named = name.clone();
         let hear = move |said: Said| match said {
             Said::Day(_) => {}
-            Said::Refused(why) => tell(&format!("{named}: {why}.")),
+            Said::Refused(why) => tell(&refusal(&why, format!("{named}: {why}."))),
             Said::Done(answer) => {
                 let [key, text, told] =
                     [0, 1, 2].map(|k| answer.get(k).as_string().unwrap_or_default());
@@ -141,7 +141,7 @@ pub fn make_anew(asked: String, words: String) {
             match said {
                 Said::Day(_) => {}
                 Said::Refused(why) => {
-                    tell(&format!("The plant of this link cannot be made: {why}."))
+                    tell(&refusal(&why, format!("The plant of this link cannot be made: {why}.")))
                 }
                 Said::Done(answer) => {
                     let Some(plant) = put_made(&answer, &made_of) else { return };

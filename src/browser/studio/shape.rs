@@ -5,7 +5,7 @@ use super::field::{Field, TYPED, each};
 use super::strokes::{self, Strokes};
 use super::subject;
 use super::wish::{ANEW, SHAPE, SHAPE_NUMBERS};
-use super::work::{Said, Work};
+use super::work::{Said, Work, refusal};
 use super::{files, own, with};
 use crate::browser::dom::{Listener, find, on, set_attribute, set_flag, set_text, window, within};
 use crate::play::origin::PAINTED;
@@ -323,7 +323,7 @@ impl ShapeView {
             Said::Day(_) => {}
             Said::Refused(why) => {
                 self.work = None;
-                self.refuse(&format!("There is no such body: {why}."));
+                self.refuse(&refusal(&why, format!("There is no such body: {why}.")));
             }
             Said::Done(answer) => match asked {
                 Some(SHAPE) => self.draw(&answer),

@@ -81,3 +81,8 @@ impl Drop for Work {
         self.worker.terminate();
     }
 }
+
+/// Tells why something cannot be by a sentence with `why` in it, but for a `why` that is a sentence itself.
+pub fn refusal(why: &str, sentence: String) -> String {
+    if why.ends_with('.') { why.to_string() } else { sentence }
+}

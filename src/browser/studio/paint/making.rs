@@ -4,7 +4,7 @@ use super::super::brushes::{brushes_of, colour_of};
 use super::super::drawing::{Drawing, Fate};
 use super::super::presenter::after;
 use super::super::wish::{ANEW, SKIN};
-use super::super::work::{Said, Work};
+use super::super::work::{Said, Work, refusal};
 use super::super::{own, painted, with};
 use super::Paint;
 use crate::browser::dom::{find, offer, set_flag};
@@ -61,11 +61,11 @@ impl Paint {
             }
             (Some(Asked::Skin), Said::Refused(why)) => {
                 (self.skin, self.work) = (None, None);
-                self.say(&format!("The plant's body did not come: {why}."));
+                self.say(&refusal(&why, format!("The plant's body did not come: {why}.")));
             }
             (_, Said::Refused(why)) => {
                 self.forget();
-                self.say(&format!("This cannot be painted: {why}."));
+                self.say(&refusal(&why, format!("This cannot be painted: {why}.")));
                 // The workshop may have ended.
                 if let Some(skin) = self.skin.take() {
                     self.hold(skin);
